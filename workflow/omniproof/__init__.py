@@ -1,0 +1,1 @@
+"""Audit what papers on omnidirectional robots print against what their mechanics implies."""

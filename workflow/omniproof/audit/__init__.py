@@ -1,0 +1,1 @@
+"""The engine that decides claims; it knows no paper."""

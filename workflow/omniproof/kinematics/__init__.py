@@ -1,0 +1,1 @@
+"""First principles: the mechanics behind the papers, written once."""

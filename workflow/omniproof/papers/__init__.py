@@ -1,0 +1,1 @@
+"""One subpackage a paper: what we derive and draw for it."""

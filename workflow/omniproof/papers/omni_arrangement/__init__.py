@@ -1,0 +1,1 @@
+"""Kimura, Shigyo, Ishii (2023): roller arrangement and speed efficiency."""

@@ -1,0 +1,212 @@
+"""The data model of a paper file: one claim is one thing that a paper asserts at one place.
+
+Every scalar arrives as the text that stands in the file, so that `4.00` keeps its zeros.
+Cross-field rules live here; what needs the reader (LaTeX) or the derivations lives elsewhere.
+"""
+
+from __future__ import annotations
+
+import re
+from enum import StrEnum
+from typing import Annotated, Self
+
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
+
+ID = re.compile(
+    r"(?P<object>eq|tab|fig|sec|app|xref):(?P<number>[A-Za-z0-9.-]+)(?P<again>#\d+)?"
+    r"(?:/(?P<part>[a-z0-9]+(?:-[a-z0-9]+)*))?"
+    r"(?:\[(?P<index>[A-Za-z0-9_]+(?:,[A-Za-z0-9_]+)*)\])?"
+)
+
+ClaimId = Annotated[str, StringConstraints(pattern=f"^{ID.pattern}$")]
+Text = Annotated[str, StringConstraints(min_length=1, max_length=2_000)]
+Latex = Annotated[str, StringConstraints(min_length=1, max_length=10_000)]
+Decimal = Annotated[str, StringConstraints(pattern=r"^[+-]?\d+(\.\d*)?$", max_length=40)]
+Name = Annotated[str, StringConstraints(pattern=r"^[A-Za-z][A-Za-z0-9_]*$", max_length=40)]
+
+
+class Record(BaseModel):
+    """Frozen, and closed against unknown keys."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Kind(StrEnum):
+    """What a claim asserts; it fixes which verdicts the claim can take."""
+
+    IDENTITY = "identity"
+    VALUE = "value"
+    RELATION = "relation"
+    CONSISTENCY = "consistency"
+    REFERENCE = "reference"
+    EDITORIAL = "editorial"
+
+
+class Source(StrEnum):
+    """How well the source text can be trusted at this place."""
+
+    CLEAR = "clear"
+    DOUBTFUL = "doubtful"
+    LOST = "lost"
+
+
+class Reading(StrEnum):
+    """How the printed form was read where the source text is damaged."""
+
+    PLAIN = ""
+    GLYPHS = "glyphs"
+    RECONSTRUCTED = "reconstructed"
+
+
+class Uncheckable(StrEnum):
+    """Why nobody can decide a claim from the paper's text and mechanics alone."""
+
+    FIGURE_NOT_SEEN = "figure-not-seen"
+    SOURCE_LOST = "source-lost"
+    EXTERNAL_DATA = "external-data"
+    EXTERNAL_REFERENCE = "external-reference"
+    OPINION = "opinion"
+
+
+class Role(StrEnum):
+    """What a printed symbol stands for."""
+
+    VARIABLE = "variable"  # a real number, free in a formula
+    QUANTITY = "quantity"  # defined by the paper: the derivations give its meaning
+    UNDEFINED = "undefined"  # printed, but never introduced: free, and no variable of the mechanics
+
+
+class Form(StrEnum):
+    """How a relation is to be judged against what its derivation returns."""
+
+    INCREASING = "increasing"  # derivation: sequence of exact values
+    DECREASING = "decreasing"
+    EQUAL = "equal"  # all values of the sequence agree
+    LARGEST = "largest"  # derivation: named values; `member` is the largest
+    SMALLEST = "smallest"
+    MINIMUM = "minimum"  # derivation: a family on a box; `at` is its only global minimum
+    MAXIMUM = "maximum"
+    NEGATIVE = "negative"  # derivation: a family; its value has this sign everywhere
+    POSITIVE = "positive"
+    CONCAVE = "concave"  # derivation: a family of one variable
+    EQUIVALENT = "equivalent"  # derivation: a condition; the printed one holds in the same cases
+    INSTANCE = "instance"  # derivation: a family of angles; the printed ones are a member of it
+    WITHIN = "within"  # derivation: sequence of (lower, value, upper)
+
+
+class Asserts(Record):
+    """The checkable form of a relation."""
+
+    form: Form
+    member: Text | None = None
+    at: tuple[Latex, ...] = ()
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if (self.form in {Form.LARGEST, Form.SMALLEST}) != (self.member is not None):
+            raise ValueError("`member` belongs to the forms largest and smallest, and only there")
+        if (self.form in {Form.MINIMUM, Form.MAXIMUM}) != bool(self.at):
+            raise ValueError("`at` belongs to the forms minimum and maximum, and only there")
+        return self
+
+
+class Symbol(Record):
+    """A symbol as the paper prints it, and the name that it has in the derivations."""
+
+    latex: Latex
+    name: Name
+    role: Role = Role.VARIABLE
+    positive: bool = False
+    means: Text
+
+
+class Notation(Record):
+    """The paper's conventions of writing, for what would otherwise be ambiguous."""
+
+    functions: dict[str, str] = Field(default_factory=dict)  # shorthand letter -> function: c: cos
+    slash: str | None = Field(default=None, pattern="^(first|all)$")  # what 1/3L divides by
+
+
+class Claim(Record):
+    """One thing the paper asserts.
+
+    `line` is the line of the source text (the first line is 1). `latex` and `quote` are verbatim;
+    several fragments stand for a display that the source interrupts. `printed` is a decimal for
+    kind `value`, and the verbatim wording or symbol to compare for kind `consistency`.
+    """
+
+    id: ClaimId
+    kind: Kind
+    line: int = Field(ge=1)
+    says: Text
+    latex: tuple[Latex, ...] = ()
+    quote: Text | None = None
+    printed: Text | None = None
+    unit: Text | None = None
+    asserts: Asserts | None = None
+    agrees_with: tuple[ClaimId, ...] = ()
+    target: ClaimId | None = None
+    about: Text | None = None
+    source: Source = Source.CLEAR
+    reading: Reading = Reading.PLAIN
+    uncheckable: Uncheckable | None = None
+    decided_by: Text | None = None
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if (self.uncheckable is None) != (self.decided_by is None):
+            raise ValueError("`uncheckable` and `decided_by` (what would decide it) go together")
+        if self.uncheckable is None:
+            needs = _NEEDS.get(self.kind)
+            if needs and not getattr(self, needs):
+                raise ValueError(f"a claim of kind {self.kind} needs `{needs}`")
+        if self.kind is Kind.VALUE and self.uncheckable is None:
+            _check_decimal(str(self.printed))
+        if self.asserts and self.kind is not Kind.RELATION:
+            raise ValueError("`asserts` belongs to kind relation")
+        return self
+
+
+_NEEDS = {
+    Kind.IDENTITY: "latex",
+    Kind.VALUE: "printed",
+    Kind.RELATION: "asserts",
+    Kind.CONSISTENCY: "agrees_with",
+}
+
+
+def _check_decimal(text: str) -> None:
+    if not re.fullmatch(r"[+-]?\d+(\.\d*)?", text) or len(text) > 40:
+        raise ValueError(f"`printed` should be a decimal such as 4.00, found {text!r}")
+
+
+class Table(Record):
+    """A printed table whose cells are claims of kind `value`: first column row names, a header."""
+
+    id: ClaimId
+    file: Annotated[str, StringConstraints(pattern=r"^[a-z0-9-]+\.csv$")]
+    line: int = Field(ge=1)
+    says: Text
+    units: dict[str, Text]
+
+
+class Edition(Record):
+    """Which text was audited."""
+
+    title: Text
+    authors: tuple[Text, ...] = Field(min_length=1)
+    year: int
+    venue: Text
+    source: Annotated[str, StringConstraints(pattern=r"^[a-z0-9-]+\.txt$")]
+    sha256: Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]
+
+
+class Paper(Record):
+    """One paper: its edition, its symbols, its conventions, its claims in reading order."""
+
+    key: Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9-]*$")]
+    edition: Edition
+    notation: Notation = Notation()
+    symbols: tuple[Symbol, ...] = ()
+    tables: tuple[Table, ...] = ()
+    claims: tuple[Claim, ...] = Field(min_length=1)
