@@ -1,7 +1,7 @@
 """The ledger: one row per printed cell, the record that everything downstream reads.
 
-The row is a pydantic model, and its JSON Schema (`ledger.schema.json`) is kept in the repository, so
-that a change of the interface is seen as one.
+The row is a pydantic model, and its JSON Schema (`ledger.schema.json`) is kept in the repository,
+so that a change of the interface is seen as one.
 """
 
 from __future__ import annotations

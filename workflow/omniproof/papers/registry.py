@@ -1,8 +1,8 @@
 """Derivations by claim id: what mechanics implies, as code that never sees what is printed.
 
-A paper's `derivations.py` fills one `Registry`. A derivation is a function without arguments; what
-it returns depends on the kind of its claim (see `Derived`). It imports `omniproof.kinematics` and
-SymPy only.
+A paper's `derivations.py` fills one `Registry`. A derivation is a function that returns what its
+claim ought to say; what that is depends on the kind of the claim (see `Derived`). Derivations import
+`omniproof.kinematics`, SymPy and the records of this module only.
 """
 
 from __future__ import annotations
@@ -14,6 +14,15 @@ from typing import Any, TypeAlias
 
 from sympy import Expr, MatrixBase, Symbol
 
+from omniproof.transcription.model import Form
+
+Derived: TypeAlias = Any
+"""What a derivation returns, by the kind of its claim (SymPy publishes no types):
+
+identity: an expression, or a matrix for a printed matrix; value: an exact number; relation: a
+`Relation`, or just its subject.
+"""
+
 
 @dataclass(frozen=True)
 class Family:
@@ -23,55 +32,88 @@ class Family:
     box: Mapping[Symbol, tuple[Expr, Expr]]
 
 
-Derived: TypeAlias = Any
-"""What a derivation returns, by the kind of its claim (SymPy publishes no types):
+Subject: TypeAlias = Any
+"""What a `Form` is judged on: a `Family`, a sequence of expressions, named values, a condition."""
 
-identity: an expression, or a matrix for a printed matrix; value: an exact number; relation: what its
-`Form` says (a `Family`, a sequence or named values, a condition).
-"""
+
+@dataclass(frozen=True)
+class Obligation:
+    """A statement for the engines to prove: `form` holds for `subject`."""
+
+    form: Form
+    subject: Subject
+    at: tuple[tuple[Expr, ...], ...] = ()
+    member: str | None = None
+
+
+@dataclass(frozen=True)
+class Relation:
+    """The derived side of a relation.
+
+    Where the printed relation is false, `correction` says what holds instead, or `condition` under
+    which condition the printed one holds; either counts only when all of `proof` is proved.
+    """
+
+    subject: Subject
+    correction: str = ""
+    condition: str = ""
+    proof: tuple[Obligation, ...] = ()
 
 
 @dataclass(frozen=True)
 class Derivation:
     """How one claim follows, and on which other claims of the paper it rests."""
 
-    build: Callable[[], Derived]
+    build: Callable[..., Derived]
     rests_on: tuple[str, ...] = ()
-    premise: str = ""
     convention: str = ""
+
+
+@dataclass(frozen=True)
+class Convention:
+    """Readings of a definition between which a paper wavers; the first one is what it states."""
+
+    stated: str
+    others: tuple[str, ...]
+
+    @property
+    def options(self) -> tuple[str, ...]:
+        """All readings, the stated one first."""
+        return (self.stated, *self.others)
+
+
+Bind: TypeAlias = Callable[[Callable[..., Derived]], Callable[..., Derived]]
 
 
 @dataclass
 class Registry:
-    """All derivations and quantities of one paper."""
+    """All derivations, quantities and conventions of one paper."""
 
     paper: str
     derivations: dict[str, Derivation] = field(default_factory=dict)
     quantities: dict[str, Callable[[], Expr | MatrixBase]] = field(default_factory=dict)
+    conventions: dict[str, Convention] = field(default_factory=dict)
 
-    def derives(
-        self, *ids: str, rests_on: Sequence[str] = (), premise: str = ""
-    ) -> Callable[[Callable[[], Derived]], Callable[[], Derived]]:
-        """Bind a function to claims; `premise` states a `model-gap`, in words, where there is one.
+    def derives(self, *ids: str, rests_on: Sequence[str] = (), convention: str = "") -> Bind:
+        """Bind a function to claims.
 
+        With `convention` (a claim id), the function takes one of that convention's options.
         Raises `ValueError` when an id is bound twice.
         """
 
-        def bind(build: Callable[[], Derived]) -> Callable[[], Derived]:
+        def bind(build: Callable[..., Derived]) -> Callable[..., Derived]:
             for claim in ids:
                 if claim in self.derivations:
                     raise ValueError(f"{self.paper}: two derivations for {claim}")
-                self.derivations[claim] = Derivation(build, tuple(rests_on), premise)
+                self.derivations[claim] = Derivation(build, tuple(rests_on), convention)
             return build
 
         return bind
 
-    def quantity(
-        self, name: str
-    ) -> Callable[[Callable[[], Expr | MatrixBase]], Callable[[], Expr | MatrixBase]]:
-        """Give a printed symbol of role `quantity` its meaning."""
+    def quantity(self, name: str) -> Bind:
+        """Give a printed symbol of role `quantity` its meaning, by the symbol's `name`."""
 
-        def bind(build: Callable[[], Expr | MatrixBase]) -> Callable[[], Expr | MatrixBase]:
+        def bind(build: Callable[..., Derived]) -> Callable[..., Derived]:
             if name in self.quantities:
                 raise ValueError(f"{self.paper}: two meanings for {name}")
             self.quantities[name] = build

@@ -10,7 +10,14 @@ import re
 from enum import StrEnum
 from typing import Annotated, Self
 
-from pydantic import BaseModel, ConfigDict, Field, StringConstraints, model_validator
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    StringConstraints,
+    field_validator,
+    model_validator,
+)
 
 ID = re.compile(
     r"(?P<object>eq|tab|fig|sec|app|xref):(?P<number>[A-Za-z0-9.-]+)(?P<again>#\d+)?"
@@ -91,7 +98,6 @@ class Form(StrEnum):
     CONCAVE = "concave"  # derivation: a family of one variable
     EQUIVALENT = "equivalent"  # derivation: a condition; the printed one holds in the same cases
     INSTANCE = "instance"  # derivation: a family of angles; the printed ones are a member of it
-    WITHIN = "within"  # derivation: sequence of (lower, value, upper)
 
 
 class Asserts(Record):
@@ -151,6 +157,11 @@ class Claim(Record):
     reading: Reading = Reading.PLAIN
     uncheckable: Uncheckable | None = None
     decided_by: Text | None = None
+
+    @field_validator("latex", "agrees_with", mode="before")
+    @classmethod
+    def _one_or_many(cls, value: object) -> object:
+        return (value,) if isinstance(value, str) else value
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
