@@ -1,0 +1,59 @@
+# omniproof: `make` sets up and builds, `make test` checks. `make help` lists the rest.
+
+PYTHON ?= python3
+VENV := .venv
+INSTALL := uv pip install --quiet --compile-bytecode --require-hashes --requirement
+
+export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
+export VIRTUAL_ENV := $(CURDIR)/$(VENV)
+export PIP_DISABLE_PIP_VERSION_CHECK := 1
+# Modules that are not compiled cost every step two seconds.
+unexport PYTHONDONTWRITEBYTECODE
+
+.PHONY: build test lock clean help
+
+build: $(VENV)/ready
+	@snakemake
+	@cat results/summary.txt
+
+test: $(VENV)/ready-to-test
+	@ruff check
+	@ruff format --check --quiet
+	@snakefmt --check --quiet Snakefile workflow/rules
+	@mypy
+	@snakemake --lint
+	@pytest --numprocesses auto
+
+lock: $(VENV)/ready
+	@for name in requirements-setup requirements requirements-test; do \
+	    echo "$$name.lock"; \
+	    uv pip compile --quiet --upgrade --universal --generate-hashes --no-header \
+	        --python-version 3.11 $$name.in --output-file $$name.lock || exit 1; \
+	done
+
+clean:
+	rm -rf results logs book/_build .snakemake
+
+help:
+	@echo "make        set up .venv if needed, then build results and report"
+	@echo "make test   lint, types and tests"
+	@echo "make lock   resolve requirements*.in anew into requirements*.lock"
+	@echo "make clean  remove what was built (.venv stays)"
+
+# The environment, anew whenever a lock file changes. uv installs it three times faster than pip; where
+# uv cannot (a package mirror that only pip knows of), pip installs the same file.
+$(VENV)/ready: requirements-setup.lock requirements.lock pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	    echo "omniproof needs Python 3.11 or newer; '$(PYTHON)' is `$(PYTHON) --version 2>&1`." \
+	        "Name another one, such as: make PYTHON=python3.12" >&2; exit 1; }
+	@echo "Setting up $(VENV)"
+	@$(PYTHON) -m venv $(VENV)
+	@pip install --quiet --require-hashes --requirement requirements-setup.lock
+	@$(INSTALL) requirements.lock || pip install --quiet --require-hashes --requirement requirements.lock
+	@uv pip install --quiet --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(VENV)/ready-to-test: $(VENV)/ready requirements-test.lock
+	@echo "Setting up the test tools"
+	@$(INSTALL) requirements-test.lock || pip install --quiet --require-hashes --requirement requirements-test.lock
+	@touch $@

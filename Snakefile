@@ -1,0 +1,42 @@
+"""
+From what papers print to a validated report: the whole build on one page.
+
+    snakemake                                   everything
+    snakemake results/ledger/PAPER.json         one ledger; tables, figures and chapters likewise
+    snakemake --report results/report.html      what was made, with captions
+"""
+
+from snakemake.utils import min_version
+
+min_version("9.0")
+
+
+configfile: "workflow/config.yaml"
+
+
+include: "workflow/rules/common.smk"
+include: "workflow/rules/audit.smk"
+include: "workflow/rules/tables.smk"
+include: "workflow/rules/figures.smk"
+include: "workflow/rules/notebooks.smk"
+include: "workflow/rules/book.smk"
+
+
+rule all:
+    """Build everything that the report shows, and the report."""
+    default_target: True
+    input:
+        ledger="results/ledger.csv",
+        theorems="results/theorems.json",
+        tables=expand("{table}", table=tables_of(*settings.papers)),
+        figures=figures_of(*settings.papers),
+        chapters=expand("results/notebooks/{chapter}.ipynb", chapter=settings.chapters),
+        book="book/_build/html/index.html",
+        validation="results/validation.txt",
+        summary="results/summary.txt",
+
+
+# The docstring of a rule is its progress line. Software: the locked environment, for every rule.
+for step in workflow.rules:
+    step.message = step.docstring
+    step.conda_env = lambda wildcards: None

@@ -1,0 +1,130 @@
+"""What `workflow/config.yaml` may say, checked before the first step runs.
+
+Shape first (pydantic), meaning second (does every named paper and chapter exist?); all faults are
+reported together, with their place in the file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Annotated, Any
+
+import yaml
+from pydantic import BaseModel, ConfigDict, Field, StringConstraints, ValidationError
+
+from omniproof.transcription.faults import BadInput, Fault, shorten
+
+Key = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9-]*$")]
+Number = Annotated[int, Field(ge=1, strict=True)]
+Place = tuple[int | str, ...]
+
+
+class PaperSettings(BaseModel):
+    """What is made for one paper: its tables and figures, by the numbers of their captions."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    tables: tuple[Number, ...] = ()
+    figures: tuple[Number, ...] = ()
+
+
+class Settings(BaseModel):
+    """What is built: papers by key, and the chapters of the report."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    papers: dict[Key, PaperSettings] = Field(min_length=1)
+    chapters: tuple[Key, ...] = Field(min_length=1)
+
+
+def read_settings(values: Mapping[str, Any], file: Path, root: Path) -> Settings:
+    """Check the values of a configuration `file` against what is in the project at `root`.
+
+    `file` only tells where a value stands; values given on the command line have no place in it.
+    Raises `BadInput` with all faults.
+    """
+    text = (root / file).read_text(encoding="utf-8")
+    try:
+        settings = Settings.model_validate(values)
+    except ValidationError as error:
+        raise BadInput(_shape_fault(dict(item), file, text) for item in error.errors()) from None
+    faults = [
+        _fault(file, text, place, message, cure) for place, message, cure in _absent(settings, root)
+    ]
+    if faults:
+        raise BadInput(faults)
+    return settings
+
+
+def module_name(paper: str) -> str:
+    """Return the name of a paper's subpackage: `omni-arrangement` -> `omni_arrangement`."""
+    return paper.replace("-", "_")
+
+
+def _absent(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
+    """Yield place, message and cure for every paper or chapter without its files."""
+    papers = sorted(file.parent.name for file in root.glob("paper_data/*/paper.yaml"))
+    chapters = sorted(file.stem for file in root.glob("notebooks/*.md"))
+    for paper in settings.papers:
+        code = f"workflow/omniproof/papers/{module_name(paper)}"
+        if paper not in papers:
+            yield (
+                ("papers", paper),
+                f"no file paper_data/{paper}/paper.yaml",
+                _nearest(paper, papers),
+            )
+        elif not any((root / code).glob("derivations*")):
+            cure = "write what mechanics implies for this paper"
+            yield ("papers", paper), f"no module derivations in {code}", cure
+    for position, chapter in enumerate(settings.chapters):
+        if chapter not in chapters:
+            place = ("chapters", position)
+            yield place, f"no file notebooks/{chapter}.md", _nearest(chapter, chapters)
+
+
+def _shape_fault(error: Mapping[str, Any], file: Path, text: str) -> Fault:
+    place = tuple(part for part in error["loc"] if part != "[key]")
+    found = shorten(str(error["input"]))
+    match error["type"]:
+        case "missing":
+            return _fault(file, text, place, "expected this key, found none", "add it")
+        case "extra_forbidden":
+            known = sorted((Settings if len(place) == 1 else PaperSettings).model_fields)
+            cure = _nearest(str(place[-1]), known)
+            return _fault(file, text, place, "expected a known key, found another", cure)
+        case "string_pattern_mismatch":
+            cure = "write lower-case words joined by hyphens, such as omni-arrangement"
+            return _fault(file, text, place, f"expected a key, found {found}", cure)
+        case "greater_than_equal" | "int_type" | "int_parsing":
+            cure = "write the number of the caption"
+            return _fault(file, text, place, f"expected a whole number from 1, found {found}", cure)
+        case _:
+            return _fault(file, text, place, f"{error['msg']}, found {found}", "")
+
+
+def _nearest(word: str, known: Sequence[str]) -> str:
+    close = get_close_matches(word, known, n=1)
+    return f"did you mean `{close[0]}`?" if close else f"known: {', '.join(known) or 'none'}"
+
+
+def _fault(file: Path, text: str, place: Place, message: str, cure: str) -> Fault:
+    line, column = _position(yaml.compose(text, Loader=yaml.SafeLoader), place)
+    path = "".join(f"[{part + 1}]" if isinstance(part, int) else f".{part}" for part in place)
+    return Fault(str(file), line, column, path.removeprefix("."), message, cure)
+
+
+def _position(node: yaml.Node | None, place: Place) -> tuple[int, int]:
+    """Return line and column, from 1, of the key or item that `place` leads to, as far as it can."""
+    mark = node.start_mark if node else None
+    for part in place:
+        found = None
+        if isinstance(node, yaml.MappingNode):
+            found = next((pair for pair in node.value if pair[0].value == part), None)
+        elif isinstance(node, yaml.SequenceNode) and isinstance(part, int):
+            found = (node.value[part],) * 2 if part < len(node.value) else None
+        if found is None:
+            break
+        mark, node = found[0].start_mark, found[1]
+    return (mark.line + 1, mark.column + 1) if mark else (1, 1)

@@ -1,0 +1,89 @@
+"""
+This part of the workflow judges what papers print.
+
+REQUIRED INPUTS:
+    data        = paper_data/{paper}/*
+    derivations = workflow/omniproof/papers/{paper}/derivations.py
+
+OUTPUTS:
+    checked  = results/checked/{paper}.json
+    ledger   = results/ledger/{paper}.json
+    table    = results/ledger.csv
+    theorems = results/theorems.json
+"""
+
+
+rule check:
+    """Check what was transcribed from {wildcards.paper}"""
+    input:
+        data=lambda wildcards: paper_data(wildcards.paper),
+        derivations=lambda wildcards: paper_module(wildcards.paper, "derivations"),
+        package=package("audit.run"),
+    output:
+        # Bad input stops the run here, and then even this file stays as it was.
+        checked=update("results/checked/{paper}.json"),
+    log:
+        "logs/check/{paper}.log",
+    benchmark:
+        "results/benchmarks/check/{paper}.tsv"
+    script:
+        "../scripts/check.py"
+
+
+rule audit:
+    """Audit {wildcards.paper}"""
+    input:
+        checked="results/checked/{paper}.json",
+        data=lambda wildcards: paper_data(wildcards.paper),
+        derivations=lambda wildcards: paper_module(wildcards.paper, "derivations"),
+        package=package("audit.run", "audit.ledger"),
+    output:
+        ledger="results/ledger/{paper}.json",
+    log:
+        "logs/audit/{paper}.log",
+    benchmark:
+        "results/benchmarks/audit/{paper}.tsv"
+    script:
+        "../scripts/audit.py"
+
+
+rule ledger:
+    """Write the ledger of all papers"""
+    input:
+        ledgers=ledgers_of(*settings.papers),
+        package=package("audit.ledger"),
+    output:
+        table=report(
+            "results/ledger.csv",
+            caption="../report/ledger.rst",
+            category="Ledger",
+            labels={"what": "one row per printed cell"},
+        ),
+    log:
+        "logs/ledger.log",
+    benchmark:
+        "results/benchmarks/ledger.tsv"
+    script:
+        "../scripts/ledger.py"
+
+
+rule theorems:
+    """Prove what no paper prints"""
+    input:
+        papers=[file for paper in settings.papers for file in paper_module(paper, "theorems")],
+        package=package("audit.theorems"),
+    output:
+        theorems=report(
+            "results/theorems.json",
+            caption="../report/theorems.rst",
+            category="Ledger",
+            labels={"what": "theorems"},
+        ),
+    params:
+        papers=list(settings.papers),
+    log:
+        "logs/theorems.log",
+    benchmark:
+        "results/benchmarks/theorems.tsv"
+    script:
+        "../scripts/theorems.py"

@@ -1,0 +1,74 @@
+"""
+This part of the workflow makes the report of what was found, and checks it.
+
+REQUIRED INPUTS:
+    pages    = book/*
+    chapters = results/notebooks/{chapter}.ipynb
+    ledgers  = results/ledger/{paper}.json
+    table    = results/ledger.csv
+    theorems = results/theorems.json
+    tables   = results/tables/{paper}/table-{number}.csv
+    figures  = results/figures/{paper}/figure-{number}.svg
+    data     = results/figures/{paper}/figure-{number}.csv
+
+OUTPUTS:
+    index      = book/_build/html/index.html
+    validation = results/validation.txt
+    summary    = results/summary.txt
+"""
+
+
+rule book:
+    """Set the report"""
+    input:
+        pages=book_sources(),
+        chapters=expand("results/notebooks/{chapter}.ipynb", chapter=settings.chapters),
+        ledgers=ledgers_of(*settings.papers),
+        table="results/ledger.csv",
+        theorems="results/theorems.json",
+        tables=tables_of(*settings.papers),
+        figures=figures_of(*settings.papers),
+        data=figures_of(*settings.papers, suffix="csv"),
+        package=package("report.book"),
+    output:
+        # A build that fails leaves the earlier report as it was.
+        index=update("book/_build/html/index.html"),
+    log:
+        "logs/book.log",
+    benchmark:
+        "results/benchmarks/book.tsv"
+    script:
+        "../scripts/book.py"
+
+
+rule validate:
+    """Check the report: anchors, figures, references"""
+    input:
+        index="book/_build/html/index.html",
+        ledgers=ledgers_of(*settings.papers),
+        package=package("report.validate"),
+    output:
+        validation="results/validation.txt",
+    log:
+        "logs/validate.log",
+    benchmark:
+        "results/benchmarks/validate.tsv"
+    script:
+        "../scripts/validate.py"
+
+
+rule summary:
+    """Sum up"""
+    input:
+        ledgers=ledgers_of(*settings.papers),
+        theorems="results/theorems.json",
+        validation="results/validation.txt",
+        package=package("report.summary"),
+    output:
+        summary="results/summary.txt",
+    log:
+        "logs/summary.log",
+    benchmark:
+        "results/benchmarks/summary.tsv"
+    script:
+        "../scripts/summary.py"

@@ -1,0 +1,79 @@
+"""
+What the rule files share: the checked settings, the environment of all steps, names of files.
+"""
+
+import os
+from pathlib import Path
+
+from omniproof.settings import module_name, read_settings
+from omniproof.sources import sources
+from omniproof.transcription.faults import BadInput
+
+# Same bytes on every run: one thread for linear algebra, one order of sets, no display.
+os.environ.update(
+    OMP_NUM_THREADS="1",
+    OPENBLAS_NUM_THREADS="1",
+    MKL_NUM_THREADS="1",
+    PYTHONHASHSEED="0",
+    MPLBACKEND="Agg",
+)
+
+try:
+    settings = read_settings(config, Path("workflow/config.yaml"), Path())
+except BadInput as bad:
+    raise SystemExit(str(bad)) from None
+
+
+wildcard_constraints:
+    paper="[a-z][a-z0-9-]*",
+    chapter="[a-z][a-z0-9-]*",
+
+
+def package(*modules):
+    """Return the source files of modules of the package and of all that they import."""
+    return [os.path.relpath(file) for file in sources(*modules)]
+
+
+def paper_module(paper, *modules):
+    """Return the source files of a paper's modules, as `package` does."""
+    return package(*(f"papers.{module_name(paper)}.{module}" for module in modules))
+
+
+def paper_data(paper):
+    """Return what the paper prints, and what was decided by reading it."""
+    readings = Path("workflow/omniproof/papers", module_name(paper)).glob("*.yaml")
+    return sorted(map(str, [*Path("paper_data", paper).iterdir(), *readings]))
+
+
+def ledgers_of(*papers):
+    """Return the ledgers of papers."""
+    return [f"results/ledger/{paper}.json" for paper in papers]
+
+
+def tables_of(*papers):
+    """Return the tables that are made for papers."""
+    return [
+        f"results/tables/{paper}/table-{number}.csv"
+        for paper in papers
+        for number in settings.papers[paper].tables
+    ]
+
+
+def figures_of(*papers, suffix="svg"):
+    """Return the pictures of papers, or their data with suffix csv."""
+    return [
+        f"results/figures/{paper}/figure-{number}.{suffix}"
+        for paper in papers
+        for number in settings.papers[paper].figures
+    ]
+
+
+def papers_of(chapter):
+    """Return the papers that a chapter tells: its own, or all for a chapter about all."""
+    return [chapter] if chapter in settings.papers else list(settings.papers)
+
+
+def book_sources():
+    """Return the hand-written files of the report."""
+    files = (file for file in Path("book").rglob("*") if file.is_file())
+    return sorted(str(file) for file in files if not {"_build", "__pycache__"} & set(file.parts))

@@ -1,0 +1,42 @@
+"""
+This part of the workflow draws the figures of papers from computed data.
+
+REQUIRED INPUTS:
+    drawings = workflow/omniproof/papers/{paper}/figures.py
+
+OUTPUTS:
+    pictures = results/figures/{paper}/figure-{number}.svg
+    data     = results/figures/{paper}/figure-{number}.csv
+    index    = results/figures/{paper}/figures.json
+"""
+
+# One rule a paper, since papers differ in how many figures they have.
+for paper, made in settings.papers.items():
+
+    rule:
+        """Draw the figures of {params.paper}"""
+        name:
+            f"figures_{module_name(paper)}"
+        input:
+            drawings=paper_module(paper, "figures"),
+            package=package("report.drawing"),
+        output:
+            pictures=[
+                report(
+                    picture,
+                    caption="../report/figure.rst",
+                    category="Figures",
+                    labels={"paper": paper, "figure": str(number)},
+                )
+                for number, picture in zip(made.figures, figures_of(paper), strict=True)
+            ],
+            data=figures_of(paper, suffix="csv"),
+            index=f"results/figures/{paper}/figures.json",
+        params:
+            paper=paper,
+        log:
+            f"logs/figures/{paper}.log",
+        benchmark:
+            f"results/benchmarks/figures/{paper}.tsv"
+        script:
+            "../scripts/figures.py"

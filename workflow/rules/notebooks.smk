@@ -1,0 +1,32 @@
+"""
+This part of the workflow runs the chapters of the report.
+
+REQUIRED INPUTS:
+    source   = notebooks/{chapter}.md
+    ledgers  = results/ledger/{paper}.json
+    theorems = results/theorems.json
+    tables   = results/tables/{paper}/table-{number}.csv
+    figures  = results/figures/{paper}/figure-{number}.svg
+
+OUTPUTS:
+    chapter = results/notebooks/{chapter}.ipynb
+"""
+
+
+rule notebook:
+    """Run the chapter {wildcards.chapter}"""
+    input:
+        source="notebooks/{chapter}.md",
+        ledgers=lambda wildcards: ledgers_of(*papers_of(wildcards.chapter)),
+        theorems="results/theorems.json",
+        tables=lambda wildcards: tables_of(*papers_of(wildcards.chapter)),
+        figures=lambda wildcards: figures_of(*papers_of(wildcards.chapter)),
+        package=package("report.notebook", "report.fragments"),
+    output:
+        chapter="results/notebooks/{chapter}.ipynb",
+    log:
+        "logs/notebook/{chapter}.log",
+    benchmark:
+        "results/benchmarks/notebook/{chapter}.tsv"
+    script:
+        "../scripts/notebook.py"

@@ -1,0 +1,14 @@
+"""Stage the sources of the report and set it."""
+
+from pathlib import Path
+
+from snakemake.script import snakemake
+
+from omniproof.report.book import build, stage
+from omniproof.report.step import step
+
+with step(snakemake):
+    html = Path(snakemake.output.index).parent
+    source = html.parent / "source"
+    stage(Path("book"), Path("results"), source)
+    build(source, html)

@@ -1,0 +1,9 @@
+"""Draw the figures of one paper."""
+
+from snakemake.script import snakemake
+
+from omniproof.report.drawing import write_figures
+from omniproof.report.step import step
+
+with step(snakemake) as output:
+    write_figures(snakemake.params.paper, output.index.parent)

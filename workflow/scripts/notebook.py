@@ -1,0 +1,11 @@
+"""Run one chapter of the report."""
+
+from pathlib import Path
+
+from snakemake.script import snakemake
+
+from omniproof.report.notebook import execute
+from omniproof.report.step import step
+
+with step(snakemake) as output:
+    execute(Path(snakemake.input.source), output.chapter)

@@ -1,0 +1,14 @@
+"""Check the finished report against the ledgers."""
+
+from pathlib import Path
+
+from snakemake.script import snakemake
+
+from omniproof.audit.ledger import read_json
+from omniproof.report.step import step
+from omniproof.report.validate import validate_book
+
+with step(snakemake) as output:
+    ledgers = [read_json(Path(path)) for path in snakemake.input.ledgers]
+    validate_book(Path(snakemake.input.index).parent, ledgers)
+    output.validation.write_text("valid\n")
