@@ -1,0 +1,104 @@
+"""The book: stage its sources in one folder, build the pages in another, replace the old ones last.
+
+Jupyter Book runs in a process of its own: Sphinx keeps state in the interpreter, and its log is
+worth reading only when it fails. Pages are built beside the old ones and take their place when all
+went well, so that a failed build leaves an earlier report untouched.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+from omniproof.audit.ledger import Ledger, read_json, schema
+from omniproof.report.findings import findings_csv, findings_json
+from omniproof.report.theme import stylesheet
+
+DATA = ("ledger.csv", "theorems.json", "tables", "figures", "simulation")
+"""What the site offers for download, as it lies in the folder of results."""
+
+
+class BookError(RuntimeError):
+    """The book was not built; the message is what a person needs to mend it."""
+
+
+def read_ledgers(results: Path) -> tuple[Ledger, ...]:
+    """Read every ledger of the folder of results, by name of paper."""
+    return tuple(read_json(path) for path in sorted((results / "ledger").glob("*.json")))
+
+
+def stage(book: Path, results: Path, source: Path) -> None:
+    """Lay the book's pages, the executed notebooks and the data into a fresh folder `source`.
+
+    book: folder with `_config.yml`, `_toc.yml` and the front matter; results: with `ledger/`,
+    `notebooks/`, `figures/` and `tables/`. Raises `BookError` when nothing was executed.
+    """
+    notebooks = sorted((results / "notebooks").glob("*.ipynb"))
+    if not notebooks:
+        raise BookError(f"no executed notebook in {results / 'notebooks'}")
+    shutil.rmtree(source, ignore_errors=True)
+    shutil.copytree(book, source, ignore=shutil.ignore_patterns("_build", "__pycache__"))
+    for notebook in notebooks:
+        shutil.copyfile(notebook, source / notebook.name)
+    (source / "_static" / "verdicts.css").write_text(stylesheet(), encoding="utf-8")
+    _stage_data(results, source / "extra")
+
+
+def _stage_data(results: Path, extra: Path) -> None:
+    """Copy what the site offers for download, and write the findings."""
+    extra.mkdir()
+    for name in DATA:
+        origin = results / name
+        if origin.is_dir():
+            shutil.copytree(origin, extra / name)
+        elif origin.is_file():
+            shutil.copyfile(origin, extra / name)
+    ledgers = read_ledgers(results)
+    texts = {
+        "findings.csv": findings_csv(ledgers),
+        "findings.json": findings_json(ledgers),
+        "ledger.schema.json": schema(),
+    }
+    for name, text in texts.items():
+        (extra / name).write_text(text, encoding="utf-8")
+
+
+def build(source: Path, html: Path) -> None:
+    """Build the pages of a staged book into the folder `html`, warnings being errors.
+
+    Raises `BookError` with the warnings and errors of the build; `html` is then as it was.
+    """
+    work = html.parent / ".work"
+    shutil.rmtree(work, ignore_errors=True)
+    run = subprocess.run(  # noqa: S603 - our own interpreter, no shell
+        _command(source, work), capture_output=True, text=True, check=False, env=_environment()
+    )
+    pages = work / "_build" / "html"
+    if run.returncode or not (pages / "index.html").is_file():
+        raise BookError(_complaints(run.stdout + run.stderr, source))
+    (pages / ".buildinfo").unlink(missing_ok=True)
+    shutil.rmtree(html, ignore_errors=True)
+    pages.rename(html)
+    shutil.rmtree(work)
+
+
+def _command(source: Path, work: Path) -> list[str]:
+    start = "import sys; from jupyter_book.cli.main import main; sys.exit(main())"
+    options = ["-W", "--keep-going", "-q", "--path-output", str(work)]
+    return [sys.executable, "-c", start, "build", str(source), *options]
+
+
+def _environment() -> dict[str, str]:
+    """Return the environment of a build that gives the same bytes every time."""
+    return os.environ | {"PYTHONHASHSEED": "0", "NO_COLOR": "1", "LC_ALL": "C.UTF-8"}
+
+
+def _complaints(log: str, source: Path) -> str:
+    """Return the lines of a log that say what is wrong, without the path of this machine."""
+    lines = log.replace(f"{source.resolve()}/", "").replace(f"{source}/", "").splitlines()
+    wrong: Iterable[str] = [x for x in lines if "WARNING" in x or "ERROR" in x or "rror:" in x]
+    return "the book was not built:\n" + "\n".join(list(dict.fromkeys(wrong)) or lines[-20:])

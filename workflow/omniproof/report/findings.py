@@ -1,0 +1,59 @@
+"""Which rows a reader has to know of, which of them first, and the files that list them all."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+
+from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, to_csv
+from omniproof.transcription.model import Source, Uncheckable
+
+REACH = (Consequence.MOTION, Consequence.NUMBER, Consequence.TEXT, Consequence.NONE)
+
+
+def findings(ledger: Ledger) -> tuple[Row, ...]:
+    """Return the rows of a paper that are faults, in order of place."""
+    return tuple(row for row in ledger.rows if row.verdict.is_fault)
+
+
+def consequential(ledgers: Iterable[Ledger], limit: int) -> tuple[Row, ...]:
+    """Return the findings that matter most: by how far they reach, then in order of place.
+
+    Left out: what follows from another finding, what a fault of text recognition would explain, and
+    what changes nothing but spelling.
+    """
+    rows = [
+        row
+        for ledger in ledgers
+        for row in findings(ledger)
+        if not row.follows
+        and row.source is Source.CLEAR
+        and row.verdict is not Verdict.EDITORIAL
+        and row.consequence in {Consequence.MOTION, Consequence.NUMBER}
+    ]
+    return tuple(sorted(rows, key=lambda row: REACH.index(row.consequence))[:limit])
+
+
+def sentence(row: Row) -> str:
+    """Return one sentence on a finding: the note's first, else what is printed and what is true."""
+    if row.note:
+        head, stop, _ = row.note.partition(". ")
+        return head + (stop.strip() or "")
+    correct = row.correction or row.derived
+    return f"printed ${row.printed}$, should read ${correct}$" if correct else row.printed
+
+
+def uncheckable_class(row: Row) -> str:
+    """Return the class that an uncheckable row names in its note; empty when it names none."""
+    return next((name.value for name in Uncheckable if name.value in row.note), "")
+
+
+def findings_csv(ledgers: Sequence[Ledger]) -> str:
+    """Return every finding of all papers with the columns of the ledger."""
+    return to_csv(ledger.model_copy(update={"rows": findings(ledger)}) for ledger in ledgers)
+
+
+def findings_json(ledgers: Sequence[Ledger]) -> str:
+    """Return every finding of all papers as a JSON array of ledger rows."""
+    rows = [row.model_dump(mode="json") for ledger in ledgers for row in findings(ledger)]
+    return json.dumps(rows, ensure_ascii=False, indent=1) + "\n"

@@ -1,0 +1,13 @@
+r"""What a notebook shows: each call returns one `Fragment` of finished, deterministic HTML.
+
+Raw HTML is the format, because a claim needs an element with its own address, which Markdown
+cannot promise. Formulas are `\(...\)` inside class `math`: the one class that the book tells
+MathJax to look into, whatever surrounds it.
+"""
+
+from omniproof.report.fragments.base import Fragment
+from omniproof.report.fragments.chapter import Chapter
+from omniproof.report.fragments.overview import Overview
+from omniproof.report.fragments.values import in_text
+
+__all__ = ["Chapter", "Fragment", "Overview", "in_text"]

@@ -1,0 +1,97 @@
+"""The unit of output, and the small pieces that every fragment is made of."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from omniproof.audit.ledger import Row, Verdict
+from omniproof.report.theme import MARKS
+
+Href = Callable[[str], str | None]
+"""Claim id -> link to it from this page, or None when the claim has no address."""
+
+
+@dataclass(frozen=True)
+class Fragment:
+    """Finished HTML; a notebook stores it as `text/html` with a short name as `text/plain`."""
+
+    html: str
+    name: str = "fragment"
+
+    def _repr_html_(self) -> str:
+        return self.html
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        return {"text/html": self.html, "text/plain": self.name}
+
+
+def results_folder(start: Path | None = None) -> Path:
+    """Return the folder of results: `OMNIPROOF_RESULTS`, else `results` here or in a parent folder.
+
+    Raises `FileNotFoundError` when there is none: nothing has been built yet.
+    """
+    named = os.environ.get("OMNIPROOF_RESULTS")
+    if named:
+        return Path(named)
+    here = (start or Path.cwd()).resolve()
+    for folder in (here, *here.parents):
+        if (folder / "results" / "ledger").is_dir():
+            return folder / "results"
+    raise FileNotFoundError("no folder results/ledger here or above: run `make` first")
+
+
+def badge(verdict: Verdict, count: str = "") -> str:
+    """Return the sign of a verdict: shape, word and colour (and a count such as `1 of 9`)."""
+    mark = MARKS[verdict]
+    number = f"{escape(count)} " if count else ""
+    return (
+        f'<span class="badge-verdict v-{verdict}"><span aria-hidden="true">{mark.shape}</span> '
+        f"{number}{mark.word}</span>"
+    )
+
+
+def worst(rows: Iterable[Row]) -> Verdict:
+    """Return the verdict to show for several rows: the first that occurs in order of gravity."""
+    found = {row.verdict for row in rows}
+    return next((verdict for verdict in GRAVITY if verdict in found), Verdict.VERIFIED)
+
+
+GRAVITY = (
+    Verdict.UNDECIDED,
+    Verdict.ERRATUM,
+    Verdict.INCONSISTENT,
+    Verdict.MODEL_GAP,
+    Verdict.MISROUNDED,
+    Verdict.CONDITIONAL,
+    Verdict.UNCHECKABLE,
+    Verdict.EDITORIAL,
+    Verdict.VERIFIED,
+)
+
+
+def link(claim_id: str, href: Href, words: str = "") -> str:
+    """Return a link to a claim, or its id alone when it has no address."""
+    target = href(claim_id)
+    text = escape(words or claim_id)
+    return f'<a href="{escape(target)}">{text}</a>' if target else text
+
+
+def table(head: Sequence[str], rows: Iterable[str], kind: str = "") -> str:
+    """Return a table in a box of its own that scrolls; head cells and rows are HTML already."""
+    columns = "".join(f'<th scope="col">{cell}</th>' for cell in head)
+    return (
+        f'<div class="wide" tabindex="0" role="group" aria-label="table">'
+        f'<table class="audit {kind}"><thead><tr>{columns}</tr></thead>'
+        f"<tbody>{''.join(rows)}</tbody></table></div>"
+    )
+
+
+def place_of_group(where: str) -> str:
+    """Return the place of a matrix from an entry's: `Eq. (6), row 2, column 3` -> `Eq. (6)`."""
+    return re.split(r",? (?:row|column|entry|component|line \d+, row)\b", where)[0]

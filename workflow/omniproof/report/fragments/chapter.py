@@ -1,0 +1,134 @@
+"""A chapter: one paper's ledger, shown piece by piece, each row exactly once.
+
+The chapter remembers what it has shown. A row that is shown twice would have two elements with one
+address: that is an error at once. A row that no section has shown appears in `rest()`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from omniproof.audit.ledger import Ledger, Row, read_json
+from omniproof.report.anchors import anchor, base, selects, unique_anchors
+from omniproof.report.fragments.base import Fragment, results_folder
+from omniproof.report.fragments.claims import group_html, groups
+from omniproof.report.fragments.counts import accounting_html
+from omniproof.report.fragments.figures import figure_html, read_about
+from omniproof.report.fragments.tables import Labels, beside_html, list_html
+from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_html
+from omniproof.report.fragments.values import Value
+from omniproof.report.latexfmt import cell
+
+
+class Chapter:
+    """One paper in the book; its calls return fragments of the page `<paper>.html`."""
+
+    def __init__(self, ledger: Ledger, theorems: Iterable[Theorem], results: Path) -> None:
+        self.ledger = ledger
+        self.theorems = tuple(t for t in theorems if ledger.paper in t.papers)
+        self.results = results
+        self._rows = {row.id: row for row in ledger.rows}
+        self._addresses = set(unique_anchors(self._rows).values())
+        self._bases = {base(claim_id) for claim_id in self._rows}
+        self._shown: set[str] = set()
+
+    @classmethod
+    def open(cls, paper: str, results: Path | None = None) -> Chapter:
+        """Open a paper's chapter from the folder of results (found from the working folder)."""
+        folder = results or results_folder()
+        ledger = read_json(folder / "ledger" / f"{paper}.json")
+        return cls(ledger, read_theorems(folder / "theorems.json"), folder)
+
+    def row(self, claim_id: str) -> Row:
+        """Return one row. Raises `KeyError` when the ledger has no such id."""
+        return self._rows[claim_id]
+
+    def claims(self, *selectors: str) -> Fragment:
+        """Show the cards of all claims that the selectors name (`eq:6` names its entries too)."""
+        return self._cards(self._take(selectors), " ".join(selectors))
+
+    def rest(self) -> Fragment:
+        """Show the cards of all claims that nothing before has shown."""
+        rows = [row for row in self.ledger.rows if row.id not in self._shown]
+        self._shown.update(row.id for row in rows)
+        return self._cards(rows, "everything else")
+
+    def table(
+        self, selector: str, *, columns: Labels | None = None, rows: Labels | None = None
+    ) -> Fragment:
+        """Show a table of numbers, printed beside computed; headings by the names in the ids."""
+        found = self._take([selector])
+        html = beside_html(found, self.href, columns or {}, rows or {})
+        return Fragment(self._boxed(found, html), f"table {selector}")
+
+    def listing(self, *selectors: str) -> Fragment:
+        """Show claims as a list of one line each: a nomenclature, references, spelling."""
+        found = self._take(selectors)
+        return Fragment(self._boxed(found, list_html(found)), f"list {' '.join(selectors)}")
+
+    def figure(self, number: int) -> Fragment:
+        """Show figure N of the paper as it was drawn again."""
+        data = f"figures/{self.ledger.paper}/figure-{number}"
+        drawing = self.results / f"{data}.svg"
+        about = read_about(drawing.parent, number)
+        address = f"fig-{number}" if self._claim_address(f"fig-{number}") else f"figure-{number}"
+        html = figure_html(drawing.read_text(encoding="utf-8"), about, address, data)
+        return Fragment(html, f"figure {number}")
+
+    def theorem(self, theorem_id: str) -> Fragment:
+        """Show one theorem with its proof. Raises `KeyError` when there is no such theorem."""
+        found = {theorem.id: theorem for theorem in self.theorems}[theorem_id]
+        return Fragment(theorem_html(found), theorem_id)
+
+    def all_theorems(self) -> Fragment:
+        """Show all theorems that concern this paper."""
+        return Fragment("".join(theorem_html(t) for t in self.theorems), "theorems")
+
+    def counts(self) -> Fragment:
+        """Show the verdicts of this paper as a bar and a table."""
+        return Fragment(accounting_html([self.ledger]), "counts")
+
+    def value(self, claim_id: str, column: str = "printed") -> Value:
+        """Return one cell of the ledger for running text (see `in_text`)."""
+        return Value(cell(str(getattr(self.row(claim_id), column))))
+
+    def href(self, claim_id: str) -> str | None:
+        """Return the link to a claim on this page, or None when it has no address."""
+        known = claim_id in self._rows or claim_id in self._bases
+        return f"#{anchor(claim_id)}" if known else None
+
+    def _cards(self, rows: Iterable[Row], name: str) -> Fragment:
+        cards = (
+            group_html(group, self.href, addressed=self._claim_address(anchor(group.base)))
+            for group in groups(rows)
+        )
+        return Fragment(f'<div class="claims">{"".join(cards)}</div>', f"claims {name}")
+
+    def _boxed(self, rows: Iterable[Row], html: str) -> str:
+        """Put a table into a box with the address of the table that the rows are cells of."""
+        whole = {base(row.id) for row in rows if base(row.id) != row.id}
+        free = [a for a in sorted(map(anchor, whole)) if self._claim_address(a)]
+        return "".join(f'<span id="{address}"></span>' for address in free) + html
+
+    def _claim_address(self, address: str) -> bool:
+        """Whether an element that is no row may have this address; once given, it is taken."""
+        free = address not in self._addresses
+        self._addresses.add(address)
+        return free
+
+    def _take(self, selectors: Iterable[str]) -> list[Row]:
+        """Mark the selected rows as shown.
+
+        Raises `ValueError` when a selector names no row, or a row that was shown before.
+        """
+        wanted = tuple(selectors)
+        for selector in wanted:
+            if not any(selects(selector, claim_id) for claim_id in self._rows):
+                raise ValueError(f"{self.ledger.paper}: no claim is selected by {selector!r}")
+        rows = [r for r in self.ledger.rows if any(selects(s, r.id) for s in wanted)]
+        again = [row.id for row in rows if row.id in self._shown]
+        if again:
+            raise ValueError(f"{self.ledger.paper}: shown twice: {', '.join(again)}")
+        self._shown.update(row.id for row in rows)
+        return rows

@@ -1,0 +1,184 @@
+"""Cards: one claim each, one line while nothing is wrong with it, everything needed when it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from html import escape
+
+from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
+from omniproof.report.anchors import anchor, base, index
+from omniproof.report.fragments.base import Href, badge, link, place_of_group, worst
+from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math
+from omniproof.transcription.model import Reading, Source
+
+ENGINES: Mapping[str, str] = {
+    "flint": "FLINT",
+    "sympy": "SymPy",
+    "z3": "Z3",
+    "arb": "Arb balls",
+    "modular": "modular arithmetic",
+    "read": "reading",
+}
+REPAIRS: Mapping[Repair, str] = {
+    Repair.EXPLAINED: "one edit of the printed form makes it true",
+    Repair.POSSIBLE: "two edits of the printed form make it true",
+    Repair.MANUAL: "no small edit of the printed form makes it true",
+}
+CONSEQUENCES: Mapping[Consequence, str] = {
+    Consequence.MOTION: "changes a predicted motion or a design choice",
+    Consequence.NUMBER: "changes a printed number",
+    Consequence.TEXT: "changes the text only",
+}
+SOURCES: Mapping[Source, str] = {
+    Source.DOUBTFUL: "a fault of text recognition would explain it: look at the PDF",
+    Source.LOST: "the text recognition lost this place",
+}
+READINGS: Mapping[Reading, str] = {
+    Reading.GLYPHS: "read from re-encoded glyphs",
+    Reading.RECONSTRUCTED: "reconstructed: the display is gone",
+}
+
+
+@dataclass(frozen=True)
+class Group:
+    """A claim with its rows: one for most, one per entry for a matrix."""
+
+    base: str
+    rows: tuple[Row, ...]
+
+    @property
+    def is_matrix(self) -> bool:
+        """Whether the rows are entries of something printed as one."""
+        return any(index(row.id) for row in self.rows)
+
+
+def groups(rows: Iterable[Row]) -> tuple[Group, ...]:
+    """Gather entries under their claim, in the order of the ledger."""
+    found: dict[str, list[Row]] = {}
+    for row in rows:
+        found.setdefault(base(row.id), []).append(row)
+    return tuple(Group(name, tuple(members)) for name, members in found.items())
+
+
+def group_html(group: Group, href: Href, *, addressed: bool) -> str:
+    """Return the card of a claim; `addressed`: the group's own id is free to be an address."""
+    if not group.is_matrix:
+        return "".join(row_html(row, href) for row in group.rows)
+    faults = [row for row in group.rows if row.verdict is not Verdict.VERIFIED]
+    sound = [row for row in group.rows if row.verdict is Verdict.VERIFIED]
+    verdict = worst(group.rows)
+    count = sum(row.verdict is verdict for row in group.rows)
+    address = f' id="{anchor(group.base)}"' if addressed else ""
+    head = (
+        f"{badge(verdict, f'{count} of {len(group.rows)}')} "
+        f'<span class="where">{inline(place_of_group(group.rows[0].where))}</span>'
+    )
+    listed = "".join(row_html(row, href) for row in sound)
+    if faults and sound:
+        listed = f"<details><summary>{len(sound)} verified</summary>{listed}</details>"
+    body = "".join(row_html(row, href) for row in faults) + listed
+    if not faults:
+        body = f"<details><summary>entry by entry</summary>{body}</details>"
+    return (
+        f'<section class="claim matrix v-{verdict}"{address}>'
+        f'<div class="claim-head">{head}</div>{matrix_html(group)}{body}</section>'
+    )
+
+
+def matrix_html(group: Group) -> str:
+    """Return the matrix as printed, with a box around every entry that is not verified."""
+    cells = {index(row.id): row for row in group.rows}
+    if not all(place and all(part.isdigit() for part in place) for place in cells):
+        return ""
+    if not all(is_latex(row.printed) and is_settable(row.printed) for row in cells.values()):
+        return ""
+    grid = {(int(p[0]), int(p[1]) if len(p) > 1 else 1): row for p, row in cells.items()}
+    height, width = max(i for i, _ in grid), max(j for _, j in grid)
+    if len(grid) != height * width:
+        return ""
+    lines = (
+        " & ".join(_boxed(grid[i, j]) for j in range(1, width + 1)) for i in range(1, height + 1)
+    )
+    body = r" \\ ".join(lines)
+    return math(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}", display=True)
+
+
+def _boxed(row: Row) -> str:
+    return row.printed if row.verdict is Verdict.VERIFIED else rf"\boxed{{{row.printed}}}"
+
+
+def row_html(row: Row, href: Href, *, addressed: bool = True) -> str:
+    """Return the card of one row: a line that unfolds when it is verified, open otherwise."""
+    address = f' id="{anchor(row.id)}"' if addressed else ""
+    head = (
+        f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
+        f'<span class="printed">{cell(row.printed)}</span>'
+    )
+    note = f'<p class="note">{inline(row.note)}</p>' if row.note else ""
+    body = note + facts_html(row, href)
+    if row.verdict is Verdict.VERIFIED:
+        return (
+            f'<details class="claim v-{row.verdict}"{address}>'
+            f"<summary>{head}</summary>{body}</details>"
+        )
+    return (
+        f'<article class="claim v-{row.verdict}"{address}>'
+        f'<div class="claim-head">{head}</div>{body}</article>'
+    )
+
+
+def facts_html(row: Row, href: Href) -> str:
+    """Return what is known of a row as a list of terms; empty fields are left out."""
+    facts = [(term, text) for term, text in _facts(row, href) if text]
+    items = "".join(f"<div><dt>{term}</dt><dd>{text}</dd></div>" for term, text in facts)
+    return f'<dl class="facts">{items}</dl>'
+
+
+def _facts(row: Row, href: Href) -> Sequence[tuple[str, str]]:
+    differs = row.derived != row.printed
+    return (
+        ("derived", cell(row.derived) if differs else ""),
+        ("should read", cell(row.correction) if row.correction != row.derived else ""),
+        ("true when", cell(row.assumption)),
+        ("counterexample", witness_html(row.witness)),
+        ("interval", inline(row.interval)),
+        ("follows from", link(row.follows, href) if row.follows else ""),
+        ("repair", REPAIRS.get(row.repair, "")),
+        ("consequence", CONSEQUENCES.get(row.consequence, "")),
+        ("source", SOURCES.get(row.source, "")),
+        ("read as", READINGS.get(row.reading, "")),
+        ("decided by", engines_words(row)),
+        ("address", f'<a class="address" href="{_own(row, href)}">{escape(row.id)}</a>'),
+    )
+
+
+def _own(row: Row, href: Href) -> str:
+    return escape(href(row.id) or f"#{anchor(row.id)}")
+
+
+def engines_words(row: Row) -> str:
+    """Return who decided, in words: `FLINT, modular arithmetic, Z3`, or a person's reading."""
+    if row.engines:
+        return escape(", ".join(ENGINES.get(name, name) for name in row.engines.split("+")))
+    return "reading" if row.origin is Origin.READ else ""
+
+
+def witness_html(witness: str) -> str:
+    """Return `alpha_1=2/7; printed=0.84; derived=-0.31` as a sentence with formulas."""
+    if not witness:
+        return ""
+    pairs = [part.partition("=") for part in witness.split("; ")]
+    if not all(sign for _, sign, _ in pairs):
+        return inline(witness)
+    point = [f"{symbol_latex(n)}={v}" for n, _, v in pairs if n not in {"printed", "derived"}]
+    sides = [f"{n} {inline(v)}" for n, _, v in pairs if n in {"printed", "derived"}]
+    at = "at " + ", ".join(math(latex) for latex in point) + ": " if point else ""
+    return at + ", ".join(sides)
+
+
+def symbol_latex(name: str) -> str:
+    r"""Return the LaTeX of a symbol's name: `alpha_1` becomes `\alpha_{1}`, `V_x` `V_{x}`."""
+    stem, _, sub = name.partition("_")
+    head = rf"\{stem}" if stem in GREEK else stem
+    return f"{head}_{{{sub}}}" if sub else head

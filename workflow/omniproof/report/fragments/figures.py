@@ -1,0 +1,73 @@
+"""Figures, written into the page so that they follow its mode, with their data one click away."""
+
+from __future__ import annotations
+
+import re
+from html import escape
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, TypeAdapter
+
+from omniproof.report.latexfmt import inline
+
+_NOT_DRAWING = re.compile(r"^.*?(?=<svg\b)|<metadata>.*?</metadata>", re.DOTALL)
+
+
+class About(BaseModel):
+    """What the book says of one figure: a record of `figures.json`."""
+
+    model_config = ConfigDict(frozen=True, extra="ignore")
+
+    number: int
+    title: str
+    alt: str
+    caption: str
+
+
+_LIST = TypeAdapter(tuple[About, ...])
+
+
+def read_about(folder: Path, number: int) -> About:
+    """Read what is to be said of figure N from the folder of a paper's figures.
+
+    Raises `ValueError` when nothing is said of this figure.
+    """
+    for about in _LIST.validate_json((folder / "figures.json").read_bytes()):
+        if about.number == number:
+            return about
+    raise ValueError(f"figures.json: no figure {number}")
+
+
+def figure_html(svg: str, about: About, address: str, data: str) -> str:
+    """Return the figure with its caption, alt text and links.
+
+    svg: text of the file; address: id of the element; data: path on the site of SVG and CSV,
+    without suffix.
+    """
+    links = "".join(
+        f' <a href="{escape(data)}.{suffix}" title="Figure {about.number}">{word}</a>'
+        for suffix, word in (("svg", "SVG"), ("csv", "CSV"))
+    )
+    return (
+        f'<figure class="drawn" id="{address}"><div class="drawing">'
+        f"{_labelled(_prefixed(_NOT_DRAWING.sub('', svg).strip(), f'{address}-'), about)}</div>"
+        f"<figcaption><b>Figure {about.number}. {inline(about.title)}.</b> "
+        f'{inline(about.caption)}<span class="downloads">{links}</span></figcaption></figure>'
+    )
+
+
+def _labelled(svg: str, about: About) -> str:
+    """Give the drawing its alt text, in place of any label that it brings along."""
+    tag, rest = re.match(r"<svg\b[^>]*>", svg), svg
+    if tag is None:
+        raise ValueError(f"figure {about.number}: expected an <svg> element")
+    bare = re.sub(r'\s(?:role|aria-\w+)="[^"]*"', "", tag[0])
+    label = f'<svg role="img" aria-label="{escape(about.alt)}"'
+    return bare.replace("<svg", label, 1) + rest[tag.end() :]
+
+
+def _prefixed(svg: str, prefix: str) -> str:
+    """Make the ids of one drawing unique on the page: Matplotlib repeats them between drawings."""
+    svg = re.sub(r'(?<=\sid=")', prefix, svg)
+    svg = re.sub(r"(?<=url\(#)", prefix, svg)
+    return re.sub(r'(?<=href="#)', prefix, svg)

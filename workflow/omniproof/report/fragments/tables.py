@@ -1,0 +1,61 @@
+"""Tables of a paper as the audit sees them: printed beside computed, cell by cell."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+
+from omniproof.audit.ledger import Row, Verdict
+from omniproof.report.anchors import anchor, index
+from omniproof.report.fragments.base import Href, badge, table
+from omniproof.report.fragments.claims import row_html
+from omniproof.report.latexfmt import cell, inline
+
+Labels = Mapping[str, str]
+
+
+def beside_html(rows: Sequence[Row], href: Href, columns: Labels, lines: Labels) -> str:
+    """Return a grid of cells (printed, exact, interval, verdict), then the cards of the faults.
+
+    `columns`, `lines`: headings of the columns and rows by their name in the ids.
+    """
+    grid = {index(row.id): row for row in rows}
+    names = list(dict.fromkeys(place[-1] for place in grid))
+    sides = list(dict.fromkeys(place[0] for place in grid))
+    head = ["", *(inline(columns.get(name, name)) for name in names)]
+    body = []
+    for side in sides:
+        cells = "".join(_cell(grid.get((side, name))) for name in names)
+        label = inline(lines.get(side, side))
+        body.append(f'<tr><th scope="row">{label}</th>{cells}</tr>')
+    faults = [row for row in rows if row.verdict is not Verdict.VERIFIED]
+    cards = "".join(row_html(row, href, addressed=False) for row in faults)
+    return table(head, body, "beside") + cards
+
+
+def _cell(row: Row | None) -> str:
+    if row is None:
+        return "<td></td>"
+    interval = f'<span class="interval">{inline(row.interval)}</span>' if row.interval else ""
+    return (
+        f'<td id="{anchor(row.id)}" class="v-{row.verdict}"><b class="value">{cell(row.printed)}'
+        f'</b> {badge(row.verdict)}<span class="exact">{cell(row.derived)}</span>{interval}</td>'
+    )
+
+
+def list_html(rows: Sequence[Row]) -> str:
+    """Return one line per row: printed, verdict, what there is to say (a nomenclature, say)."""
+    body = []
+    for row in rows:
+        said = "".join(f"<p>{part}</p>" for part in _said(row) if part)
+        body.append(
+            f'<tr id="{anchor(row.id)}" class="v-{row.verdict}">'
+            f'<th scope="row">{cell(row.printed) or escape(row.where)}</th>'
+            f"<td>{badge(row.verdict)}</td><td>{said}</td></tr>"
+        )
+    return table(["printed", "verdict", "remark"], body, "list")
+
+
+def _said(row: Row) -> Sequence[str]:
+    corrected = row.correction or (row.derived if row.verdict is not Verdict.VERIFIED else "")
+    return (inline(row.note), f"should read: {cell(corrected)}" if corrected else "")
