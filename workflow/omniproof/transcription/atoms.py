@@ -1,0 +1,404 @@
+# ruff: noqa: D403 - the docstring of a rule is the rule
+r"""The smallest parts of a formula: numbers, symbols, brackets, functions, matrices.
+
+What mathematicians print without brackets is read as they read it (`\sin 2\theta \cos \theta` is a
+product of two); what they would ask about (`\sin 2(a - b)`, `f(x)` of an unknown f) is refused.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
+
+from omniproof.transcription.symbols import SymbolReader
+from omniproof.transcription.tokens import FUNCTIONS, MAX_DEPTH, LatexError
+from omniproof.transcription.tree import (
+    STATEMENTS,
+    Absolute,
+    Applied,
+    Branch,
+    Call,
+    Cases,
+    Degrees,
+    Determinant,
+    Inner,
+    MatrixLiteral,
+    Name,
+    Negative,
+    Node,
+    Norm,
+    Number,
+    Pi,
+    Power,
+    Quotient,
+    SetBuilder,
+    Tuple,
+)
+
+INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
+PLAIN = (Name, Number, Degrees, Pi, Applied)
+
+
+class AtomReader(SymbolReader, ABC):
+    """Reads atoms; the rules for sums and statements come from the reader above."""
+
+    def __init__(
+        self,
+        source: str,
+        declared: Collection[str],
+        quantities: Collection[str],
+        shorthands: Mapping[str, str],
+    ) -> None:
+        super().__init__(source, declared)
+        self.quantities = quantities
+        self.shorthands = shorthands
+        self.bars: list[str] = []
+        self.depth = 0
+        self.brackets: dict[int, tuple[Node, int]] = {}
+        self.rules: dict[str, Callable[[int], Node]] = {
+            "(": self.bracket, "[": self.bracket, "{": self.group, "\\{": self.braces,
+            "|": self.between_bars, "\\|": self.between_bars, "\\langle": self.inner,
+            "\\frac": self.fraction, "\\binom": self.binomial, "\\sqrt": self.root,
+            "\\det": self.determinant, "\\operatorname": self.operator,
+        }  # fmt: skip
+
+    @abstractmethod
+    def entry(self) -> Node:
+        """Read a sum that is no statement."""
+
+    @abstractmethod
+    def statement(self) -> Node:
+        """Read a statement, or an expression where nothing is stated."""
+
+    @abstractmethod
+    def items(self) -> tuple[Node, ...]:
+        """Read statements or expressions, separated by commas."""
+
+    def at_atom(self) -> bool:
+        """Whether an atom starts here; a bar does unless it closes one."""
+        token = self.peek()
+        if token.kind in {"number", "symbol", "accent", "font", "function", "begin"}:
+            return True
+        if token.text in {"|", "\\|"}:
+            return token.text not in self.bars
+        return token.kind in {"sign", "command"} and token.text in self.rules
+
+    def atom(self) -> Node:
+        r"""atom = number | symbol | function | bracket | bars | matrix | "\frac" part part | …."""
+        token, start = self.peek(), self.start
+        self.depth += 1
+        if self.depth > MAX_DEPTH:
+            raise LatexError(f"expected at most {MAX_DEPTH} levels", self.source, token.span,
+                             "split the formula")  # fmt: skip
+        if token.kind == "number":
+            node: Node = self.number()
+        elif token.kind == "function":
+            node = self.function(self.take().text[1:], start)
+        elif token.kind == "begin":
+            node = self.cases() if token.text == "cases" else self.matrix()
+        elif self.at_symbol():
+            node = self.named()
+        elif token.kind in {"sign", "command"} and token.text in self.rules:
+            node = self.rules[token.text](start)
+        else:
+            self.expected("a number, a symbol or a bracket", _habit(token.text))
+        self.depth -= 1
+        return node
+
+    def number(self) -> Number | Degrees:
+        r"""number = digits ["." digits] ["^" "\circ"]."""
+        token = self.take()
+        circles = (["\\circ"], ["^", "\\circ"], ["^", "{", "\\circ", "}"])
+        for circle in circles:
+            if [self.peek(step).text for step in range(len(circle))] == circle:
+                self.place += len(circle)
+                return Degrees(token.text, span=self.since(token.span[0]))
+        if self.peek().kind == "number":
+            self.expected("a sign between two numbers", "write `\\cdot` between them")
+        return Number(token.text, span=token.span)
+
+    def named(self) -> Node:
+        """named = shorthand atom | symbol ["(" plain {"," plain} ")"]."""
+        token, start = self.peek(), self.start
+        if token.text in self.shorthands and self.peek(1).kind in {"symbol", "accent", "font"}:
+            self.place += 1
+            argument = Name(self.symbol(), span=self.since(start + 1))
+            if self.at("^"):
+                self.expected(
+                    "brackets around the argument", f"write `{token.text}({token.text}…)`"
+                )
+            return Call(self.shorthands[token.text], _pi(argument), span=self.since(start))
+        if token.text in self.shorthands and self.peek(1).text == "(":
+            self.place += 1
+            return Call(self.shorthands[token.text], self.expression(), span=self.since(start))
+        self.refuse_spelled_function(start)
+        if token.kind == "font" and (word := self.word()) in FUNCTIONS_IN_WORDS:
+            self.place += len(word) + 3
+            return self.function(word, start)
+        name = self.symbol()
+        span = self.since(start)
+        return self.applied(name, start) if self.at("(") else _pi(Name(name, span=span))
+
+    def word(self) -> str:
+        r"""The letters of `\mathrm{word}` ahead, empty when there is no such word."""
+        letters, step = "", 2
+        while len(self.peek(step).text) == 1 and self.peek(step).kind in {"symbol", "number"}:
+            letters += self.peek(step).text
+            step += 1
+        return letters if self.peek(1).text == "{" and self.peek(step).text == "}" else ""
+
+    def refuse_spelled_function(self, start: int) -> None:
+        """Refuse `sin x`, which would be the product s i n x."""
+        for word in sorted(FUNCTIONS, key=len, reverse=True):
+            if self.source.startswith(word, start) and not self.knows(word):
+                span = (start, start + len(word))
+                raise LatexError(f"`{word}` is a product of letters", self.source, span,
+                                 f"write `\\{word}` for the function")  # fmt: skip
+
+    def applied(self, name: str, start: int) -> Node:
+        """Tell the arguments of a quantity from a factor in brackets."""
+        place, span = self.place, self.since(start)
+        node = self.bracket(self.start)
+        arguments = node.items if isinstance(node, Tuple) else (node,)
+        plain = all(_is_plain(argument) for argument in arguments)
+        if plain and name in self.quantities:
+            return Applied(name, arguments, span=self.since(start))
+        if isinstance(node, Name):
+            cure = f"declare `{name}` with `role: quantity`, or drop the brackets for a product"
+            self.refuse(f"`{name}({node.name})` may be a function or a product", start, cure)
+        self.place = place
+        return _pi(Name(name, span=span))
+
+    def expression(self) -> Node:
+        """expression = atom that is no statement."""
+        start = self.start
+        return self.value(self.atom(), start)
+
+    def value(self, node: Node, start: int) -> Node:
+        """Refuse a statement where a value is needed."""
+        if isinstance(node, STATEMENTS):
+            self.refuse(
+                "expected a value, found a statement", start, "state it in a claim of its own"
+            )
+        return node
+
+    def bracket(self, start: int) -> Node:
+        """bracket = "(" items ")" | "[" items "]"; one item is grouped, several are a vector."""
+        opened = self.place
+        if opened not in self.brackets:
+            items = self.enclosed_items()
+            node = items[0] if len(items) == 1 else Tuple(items, span=self.since(start))
+            self.brackets[opened] = node, self.place
+        node, self.place = self.brackets[opened]
+        return node
+
+    def enclosed_items(self) -> tuple[Node, ...]:
+        """Read the items in a bracket; bars outside do not end inside."""
+        with self.sealed(), self.enclosed():
+            return self.items()
+
+    @contextmanager
+    def sealed(self) -> Iterator[None]:
+        """Read an inner part in which the bars outside do not end."""
+        bars, self.bars = self.bars, []
+        yield
+        self.bars = bars
+
+    def group(self, start: int) -> Node:
+        """group = "{" statement "}"."""
+        with self.sealed(), self.enclosed():
+            return self.statement()
+
+    def braces(self, start: int) -> Node:
+        r"""braces = "\{" items ["\mid" items] "\}"."""
+        conditions: tuple[Node, ...] = ()
+        with self.sealed(), self.enclosed():
+            items = self.items()
+            if self.consume("\\mid"):
+                conditions = self.items()
+        if conditions and len(items) == 1:
+            return SetBuilder(items[0], conditions, span=self.since(start))
+        if conditions:
+            self.refuse("expected one element before `\\mid`", start, "put it into brackets")
+        if len(items) == 1:
+            return items[0]
+        return Tuple(items, "set", span=self.since(start))
+
+    def between_bars(self, start: int) -> Node:
+        r"""bars = "|" sum "|" | "\|" sum "\|"."""
+        opened = self.take()
+        self.bars.append(opened.text)
+        inner = self.entry()
+        self.close(opened, opened.text)
+        self.bars.pop()
+        kind = Absolute if opened.text == "|" else Norm
+        return kind(inner, span=self.since(start))
+
+    def inner(self, start: int) -> Node:
+        r"""inner = "\langle" sum "," sum "\rangle"."""
+        items = self.enclosed_items()
+        if len(items) != 2:
+            self.refuse("expected two vectors in an inner product", start, "write ⟨a, b⟩")
+        return Inner(*items, span=self.since(start))
+
+    def part(self) -> Node:
+        """part = "{" sum "}" | one character | command."""
+        start, token = self.start, self.peek()
+        if token.kind == "number" and len(token.text) > 1 and token.text.isdigit():
+            split = [Number(digit) for digit in token.text]
+            head = type(token)("number", split[0].text, (token.span[0], token.span[0] + 1))
+            rest = type(token)("number", token.text[1:], (token.span[0] + 1, token.span[1]))
+            self.tokens = (*self.tokens[: self.place], head, rest, *self.tokens[self.place + 1 :])
+        if token.kind == "number" and not self.at("{"):
+            token = self.take()
+            return Number(token.text, span=token.span)
+        if token.kind == "symbol":
+            return _pi(Name(self.base(), span=self.since(start)))
+        return self.expression()
+
+    def fraction(self, start: int) -> Node:
+        r"""fraction = "\frac" part part."""
+        self.place += 1
+        numerator, denominator = self.part(), self.part()
+        return Quotient(numerator, denominator, span=self.since(start))
+
+    def binomial(self, start: int) -> Node:
+        r"""binomial = "\binom" part part: a column of two."""
+        self.place += 1
+        rows = ((self.part(),), (self.part(),))
+        return MatrixLiteral(rows, span=self.since(start))
+
+    def root(self, start: int) -> Node:
+        r"""root = "\sqrt" part."""
+        self.place += 1
+        if self.at("["):
+            self.expected("a square root", "only square roots are read")
+        return Call("sqrt", self.part(), span=self.since(start))
+
+    def determinant(self, start: int) -> Node:
+        r"""determinant = "\det" (symbol | bracket | matrix)."""
+        self.place += 1
+        if self.at_symbol():
+            base = self.base() + self.primes()
+            if self.consume("_"):
+                base += "_" + self.script()
+            return Name(f"\\det {base}", span=self.since(start))
+        if not self.at("(", "[", "{") and self.peek().kind != "begin":
+            self.expected("a matrix after `\\det`")
+        argument = self.expression()
+        if isinstance(argument, Tuple):
+            return Determinant(argument.items, span=self.since(start))
+        return Call("det", argument, span=self.since(start))
+
+    def operator(self, start: int) -> Node:
+        r"""operator = "\operatorname" "{" function "}" argument."""
+        word = self.word()
+        if word not in FUNCTIONS_IN_WORDS:
+            self.place += 1
+            self.expected(
+                "a function that is read", f"one of {', '.join(sorted(FUNCTIONS_IN_WORDS))}"
+            )
+        self.place += len(word) + 3
+        return self.function(word, start)
+
+    def function(self, name: str, start: int) -> Node:
+        r"""function = "\sin" ["^" whole number] argument; the power -1 is the inverse function."""
+        exponent = self.exponent() if self.consume("^") else 1
+        if exponent == -1:
+            if name not in INVERSES:
+                self.refuse(f"no inverse of `{name}` is read", start, "write it as 1 / …")
+            name, exponent = INVERSES[name], 1
+        call = Call(name, self.argument(name), span=self.since(start))
+        return call if exponent == 1 else Power(call, exponent, span=call.span)
+
+    def exponent(self) -> int:
+        """exponent = digit | "{" ["-"] digits "}"."""
+        start = self.start
+        script = self.script().strip("{}")
+        if not script.lstrip("+-").isdigit() or len(script) > 6:
+            self.refuse("expected a whole power", start, "write roots with `\\sqrt`")
+        return int(script)
+
+    def argument(self, function: str) -> Node:
+        """argument = bracket | bars | juxtaposed."""
+        if self.at("(", "[", "{", "|", "\\|"):
+            return self.expression()
+        return self.juxtaposed(function)
+
+    @abstractmethod
+    def juxtaposed(self, function: str) -> Node:
+        """Read the argument of a function without brackets."""
+
+    def matrix(self) -> Node:
+        r"""matrix = "\begin" "{" name "}" row {"\\" row} "\end" "{" name "}"."""
+        opened = self.take()
+        rows = [self.row(opened.text)]
+        while self.consume_kind("row") and self.peek().kind != "end":
+            start = self.start
+            rows.append(self.row(opened.text))
+            if len(rows[-1]) != len(rows[0]):
+                self.refuse(
+                    f"expected {len(rows[0])} entries in row {len(rows)}, found {len(rows[-1])}",
+                    start, "give every row the same number of entries",
+                )  # fmt: skip
+        self.end_environment(opened.text, opened.span[0])
+        return MatrixLiteral(tuple(rows), span=self.since(opened.span[0]))
+
+    def row(self, name: str) -> tuple[Node, ...]:
+        """row = entry {"&" entry}."""
+        with self.sealed():
+            cells = [self.entry()]
+            while self.consume("&"):
+                cells.append(self.entry())
+        return tuple(cells)
+
+    def consume_kind(self, kind: str) -> bool:
+        """Step over the next token if it is of this kind."""
+        found = self.peek().kind == kind
+        self.place += found
+        return found
+
+    def end_environment(self, name: str, start: int) -> None:
+        r"""Step over `\end{name}`."""
+        if self.peek().kind != "end" or self.peek().text != name:
+            self.expected(f"`\\end{{{name}}}`")
+        self.place += 1
+
+    def cases(self) -> Node:
+        r"""cases = "\begin{cases}" branch {"\\" branch} "\end{cases}"."""
+        opened = self.take()
+        branches: list[Branch] = []
+        while self.peek().kind != "end":
+            branches.append(self.branch())
+            if not self.consume_kind("row"):
+                break
+        self.end_environment("cases", opened.span[0])
+        return Cases(tuple(branches), span=self.since(opened.span[0]))
+
+    def branch(self) -> Branch:
+        r"""branch = sum ("&" | "\\" | ",") statement."""
+        start = self.start
+        value = self.entry()
+        if not (self.consume("&", ",") or self.consume_kind("row")):
+            self.expected("a condition", "write `value & condition`")
+        return Branch(value, self.statement(), span=self.since(start))
+
+
+FUNCTIONS_IN_WORDS = FUNCTIONS | {"atan2"}
+
+
+def _pi(node: Name) -> Name | Pi:
+    return Pi(span=node.span) if node.name == "\\pi" else node
+
+
+def _is_plain(node: Node) -> bool:
+    if isinstance(node, Negative):
+        return _is_plain(node.operand)
+    if isinstance(node, Quotient):
+        return _is_plain(node.numerator) and _is_plain(node.denominator)
+    return isinstance(node, PLAIN)
+
+
+def _habit(text: str) -> str:
+    return "put the signed part into brackets" if text in {"-", "+"} else ""

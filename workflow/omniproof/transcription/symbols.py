@@ -1,0 +1,252 @@
+# ruff: noqa: D403 - the docstring of a rule is the rule
+r"""The cursor over the tokens, and the one rule for symbols.
+
+Papers change fonts from line to line (`\mathbf{A}`, `A`), never to tell two symbols apart, so fonts
+are dropped; accents, primes and scripts belong to the name. Whether `v_k^T` is a symbol or a
+transposition, only the paper's list of symbols can say.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
+from typing import NoReturn
+
+from omniproof.transcription.tokens import OPENING, LatexError, Token, tokenize
+from omniproof.transcription.tree import Span
+
+END = Token("end of formula", "", (0, 0))
+TRANSPOSE = frozenset({"T", "t", "\\top"})
+
+
+class Cursor:
+    """A place in the tokens of one formula."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.tokens = tokenize(source)
+        self.place = 0
+
+    def peek(self, ahead: int = 0) -> Token:
+        """The token ahead, `END` behind the last one."""
+        place = self.place + ahead
+        return self.tokens[place] if place < len(self.tokens) else END
+
+    def at(self, *texts: str) -> bool:
+        """Whether the next token is one of these signs or commands."""
+        token = self.peek()
+        return token.text in texts and token.kind not in {"text", "begin", "end"}
+
+    def take(self) -> Token:
+        """Step over the next token and return it."""
+        token = self.peek()
+        self.place += 1
+        return token
+
+    def consume(self, *texts: str) -> bool:
+        """Step over the next token if it is one of these."""
+        found = self.at(*texts)
+        self.place += found
+        return found
+
+    @property
+    def start(self) -> int:
+        """Offset of the next token."""
+        token = self.peek()
+        return len(self.source.rstrip()) if token is END else token.span[0]
+
+    def since(self, start: int) -> Span:
+        """The span from an offset to the end of the token just taken."""
+        return start, max(start, self.tokens[self.place - 1].span[1] if self.place else 0)
+
+    def found(self) -> str:
+        """The next token in words."""
+        token = self.peek()
+        if token is END:
+            return "the end of the formula"
+        start, end = token.span
+        return f"`{self.source[start:end]}`"
+
+    def expected(self, what: str, cure: str = "") -> NoReturn:
+        """Refuse the next token."""
+        span = (self.start, self.start + 1) if self.peek() is END else self.peek().span
+        raise LatexError(f"expected {what}, found {self.found()}", self.source, span, cure)
+
+    def refuse(self, message: str, start: int, cure: str) -> NoReturn:
+        """Refuse everything from an offset to the token just taken."""
+        raise LatexError(message, self.source, self.since(start), cure)
+
+    def close(self, opened: Token, closing: str) -> None:
+        """Step over the bracket that ends an enclosed part."""
+        if not self.consume(closing):
+            end = self.start + 1 if self.peek() is END else self.peek().span[1]
+            message = f"expected `{closing}` to close `{opened.text}`, found {self.found()}"
+            raise LatexError(message, self.source, (opened.span[0], end), "balance the brackets")
+
+    @contextmanager
+    def enclosed(self) -> Iterator[str]:
+        """Read what stands between a bracket and its partner; gives the opening bracket."""
+        opened = self.take()
+        yield opened.text
+        self.close(opened, OPENING.get(opened.text, opened.text))
+
+
+class SymbolReader(Cursor):
+    """Reads symbols; `declared` are the canonical names of the paper."""
+
+    def __init__(self, source: str, declared: Collection[str] | None = ()) -> None:
+        super().__init__(source)
+        self.declared = declared
+        names = sorted(declared or (), key=len, reverse=True)
+        self.words = [name for name in names if len(name) > 1 and name.isalpha()]
+
+    def knows(self, name: str) -> bool:
+        """Whether a name is declared; without a list of symbols (`None`) every name is."""
+        return self.declared is None or name in self.declared
+
+    def at_symbol(self) -> bool:
+        """Whether a symbol starts here."""
+        return self.peek().kind in {"symbol", "accent", "font"}
+
+    def symbol(self) -> str:
+        r"""symbol = (letter | greek | font base | accent base) {"'"} ["_" script] ["^" script]."""
+        name = self.base() + self.primes()
+        if self.consume("_"):
+            subscript = "_" + self.script()
+            name += self.primes() + subscript
+            if self.at("_"):
+                self.expected("one subscript", "write both in one pair of braces")
+        return name + self.superscript(name)
+
+    def base(self) -> str:
+        r"""base = letter | greek | declared word | font "{" symbol "}" | accent "{" symbol "}"."""
+        token = self.take()
+        if token.kind == "font":
+            return self.content()
+        if token.kind == "accent":
+            return f"{token.text}{{{self.content()}}}"
+        if token.kind != "symbol":
+            self.place -= 1
+            self.expected("a symbol")
+        for word in self.words:
+            if self.source.startswith(word, token.span[0]):
+                while self.peek().kind == "symbol" and self.start < token.span[0] + len(word):
+                    self.place += 1
+                return word
+        return token.text
+
+    def content(self) -> str:
+        """content = "{" (symbol | word) "}" | base."""
+        if not self.at("{"):
+            return self.base()
+        with self.enclosed():
+            letters = ""
+            while len(self.peek().text) == 1 and self.peek().kind == "symbol":
+                letters += self.take().text
+            if len(letters) > 1 and self.at("}"):
+                return letters
+            self.place -= len(letters)
+            return self.symbol()
+
+    def primes(self) -> str:
+        r"""primes = {"'" | "^" "\prime" | "^" "{" "\prime" "}"}."""
+        found = ""
+        while True:
+            ahead = [self.peek(step).text for step in range(4)]
+            if ahead[0] == "'":
+                self.place += 1
+            elif ahead[:2] == ["^", "\\prime"]:
+                self.place += 2
+            elif ahead == ["^", "{", "\\prime", "}"]:
+                self.place += 4
+            else:
+                return found
+            found += "'"
+
+    def script(self) -> str:
+        """script = character | command | "{" what is printed there, fonts dropped "}"."""
+        if not self.at("{"):
+            token = self.peek()
+            if token.kind == "number" and len(token.text) > 1:
+                self.expected("one digit", f"write {{{token.text}}} with braces")
+            if token.kind in {"font", "accent"}:
+                return _braced([self.base()])
+            if token.kind not in {"symbol", "number"} and not self.at("*", "+", "-"):
+                self.expected("a subscript or superscript")
+            return self.take().text
+        with self.enclosed():
+            parts = self.printed()
+        if not parts:
+            self.refuse("an empty script", self.tokens[self.place - 2].span[0], "leave it out")
+        return _braced(parts)
+
+    def printed(self) -> list[str]:
+        """The canonical pieces up to the closing brace."""
+        parts: list[str] = []
+        while not self.at("}"):
+            token = self.peek()
+            if token.kind == "text":
+                parts.append(_inner_text(self.take().text))
+            elif token.kind in {"font", "accent"}:
+                parts.append(self.base())
+            elif self.at("_", "^"):
+                self.place += 1
+                parts.append(token.text + self.script())
+            elif token.kind in {"symbol", "number"} or self.at("+", "-", ",", "(", ")", "'", "*"):
+                parts.append(self.take().text)
+            else:
+                self.expected("`}` to close the script")
+        return parts
+
+    def superscript(self, name: str) -> str:
+        """A superscript of the name; whole powers, degrees and transposition are none."""
+        if not self.at("^") or self.peek(1).text == "\\circ":
+            return ""
+        place, start = self.place, self.start
+        inner = self.peek(2) if self.peek(1).text == "{" else self.peek(1)
+        if inner.text in {"\\circ", "\\top"}:
+            return ""
+        self.place += 1
+        script = self.script()
+        digits = script.strip("{}").lstrip("-+")
+        if not digits.isdigit() and self.knows(f"{name}^{script}"):
+            return f"^{script}"
+        if not digits.isdigit() and script not in TRANSPOSE:
+            cure = f"declare the symbol `{name}^{script}`, or write a whole number as the power"
+            message = f"`^{script}` is neither a whole power nor part of a declared symbol"
+            self.refuse(message, start, cure)
+        self.place = place
+        return ""
+
+
+def _braced(parts: list[str]) -> str:
+    """Join the pieces of a script; braces only where TeX needs them."""
+    text = ""
+    for part in parts:
+        text += " " * (_ends_in_command(text) and part[:1].isalpha()) + part
+    single = len(text) == 1 or (text.startswith("\\") and text[1:].isalpha())
+    return text if single else f"{{{text}}}"
+
+
+def _ends_in_command(text: str) -> bool:
+    return text[text.rfind("\\") + 1 :].isalpha() if "\\" in text else False
+
+
+def _inner_text(text: str) -> str:
+    return text[text.index("{") + 1 : -1].strip()
+
+
+def symbol_name(latex: str) -> str:
+    r"""The canonical name of one printed symbol: `\mathbf{a}_{1}` gives `a_1`.
+
+    Raises `LatexError` when the text is not one symbol.
+    """
+    reader = SymbolReader(latex, declared=None)
+    letters = "".join(token.text for token in reader.tokens)
+    if len(letters) > 1 and letters.isalpha():
+        return letters
+    prefix = "\\det " if reader.consume("\\det") else ""
+    name = prefix + reader.symbol()
+    if reader.peek() is not END:
+        reader.expected("one symbol")
+    return name

@@ -1,0 +1,219 @@
+r"""LaTeX as tokens: one table of rules, places kept, everything unknown refused at once.
+
+Limits come first: a formula of a million characters, or one nested a thousand deep, is answered
+before any work is done on it. What only spaces or frames a formula (`\,`, `\left`, `aligned`, the
+number of a display) is read over here, so that no grammar rule needs to know of it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+from omniproof.transcription.tree import Span
+
+MAX_LENGTH = 10_000
+MAX_DEPTH = 64
+EXCERPT = 70
+
+
+class LatexError(Exception):
+    """A formula that cannot be read (or not in one way only), with the place and a cure."""
+
+    def __init__(self, message: str, source: str, span: Span, cure: str = "") -> None:
+        self.message, self.source, self.span, self.cure = message, source, span, cure
+        super().__init__(message, source, span, cure)
+
+    def __str__(self) -> str:
+        """Show the message, the source around the fault with a marker below, and the cure."""
+        excerpt, start = _excerpt(self.source, self.span)
+        end = min(max(self.span[1], self.span[0] + 1), start + len(excerpt) + 1)
+        left = self.span[0] - start
+        marker = " " * left + "~" * (end - self.span[0] - 1) + "^"
+        lines = [self.message, f"    {excerpt}", f"    {marker}"]
+        return "\n".join([*lines, f"    {self.cure}"] if self.cure else lines)
+
+
+def _excerpt(source: str, span: Span) -> tuple[str, int]:
+    """At most `EXCERPT` characters around a span, on one line, with their offset."""
+    start = 0
+    if len(source) > EXCERPT:
+        middle = (span[0] + min(span[1], span[0] + EXCERPT)) // 2
+        start = max(0, min(middle - EXCERPT // 2, len(source) - EXCERPT))
+    return re.sub(r"[^\S ]|[^ -\U0010ffff]|\x7f", " ", source[start : start + EXCERPT]), start
+
+
+@dataclass(frozen=True)
+class Token:
+    """One token: its kind, its text after synonyms, its place."""
+
+    kind: str
+    text: str
+    span: Span
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+GREEK = _words(
+    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi "
+    "pi rho varrho sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma "
+    "Upsilon Phi Psi Omega ell nabla"
+)
+ACCENTS = _words("hat bar tilde widetilde widehat dot ddot overline vec overrightarrow underline")
+FONTS = _words("mathbf boldsymbol bm mathrm mathbb mathcal mathit mathsf mathfrak")
+FUNCTIONS = _words("sin cos tan cot sec csc arcsin arccos arctan")
+OTHERS = _words("frac binom sqrt det operatorname circ prime top")
+SIGNS = _words("times cdot leq geq neq langle rangle mid Leftrightarrow land lor")
+
+KINDS = {
+    **dict.fromkeys(GREEK, "symbol"),
+    **dict.fromkeys(ACCENTS, "accent"),
+    **dict.fromkeys(FONTS, "font"),
+    **dict.fromkeys(FUNCTIONS, "function"),
+    **dict.fromkeys(OTHERS, "command"),
+    **dict.fromkeys(SIGNS, "sign"),
+}
+"""Commands that are read, without their backslash."""
+
+SYNONYMS = {
+    "\\le": "\\leq", "\\ge": "\\geq", "\\ne": "\\neq", "\\leqslant": "\\leq",
+    "\\geqslant": "\\geq", "\\iff": "\\Leftrightarrow", "\\lvert": "|", "\\rvert": "|",
+    "\\vert": "|", "\\lVert": "\\|", "\\rVert": "\\|", "\\Vert": "\\|", "\\lbrace": "\\{",
+    "\\rbrace": "\\}", "\\dfrac": "\\frac", "\\tfrac": "\\frac", "\\wedge": "\\land",
+    "\\vee": "\\lor", "\\lt": "<", "\\gt": ">",
+    "−": "-", "·": "\\cdot", "×": "\\times", "≤": "\\leq", "≥": "\\geq", "≠": "\\neq",
+    "°": "\\circ", "ϕ": "\\phi", "φ": "\\varphi",
+    "α": "\\alpha", "β": "\\beta", "γ": "\\gamma", "δ": "\\delta", "ε": "\\epsilon",
+    "ζ": "\\zeta", "η": "\\eta", "θ": "\\theta", "λ": "\\lambda", "μ": "\\mu", "ν": "\\nu",
+    "ξ": "\\xi", "π": "\\pi", "ρ": "\\rho", "σ": "\\sigma", "τ": "\\tau", "χ": "\\chi",
+    "ψ": "\\psi", "ω": "\\omega", "Δ": "\\Delta", "Σ": "\\Sigma", "Ω": "\\Omega",
+}  # fmt: skip
+"""Other spellings of one sign."""
+
+FRAMES = _words("aligned align gathered split equation")
+"""Environments that only arrange lines."""
+TABLES = _words("matrix pmatrix bmatrix smallmatrix array cases")
+"""Environments of rows and columns."""
+
+UNREAD = {
+    "int": "integrals are not read: transcribe the integrand as a claim of its own",
+    "sum": "sums over an index are not read: write the terms out",
+    "pm": "write both signs as claims of their own",
+    "mp": "write both signs as claims of their own",
+    "in": "leave the membership out, or say it in `says`",
+    "rightarrow": "leave the arrow out, or say it in `says`",
+    "to": "leave the arrow out, or say it in `says`",
+}
+"""Commands that papers use and that are refused, with what to do."""
+
+SPACING = _words(
+    "left right big Big bigg Bigg bigl bigr Bigl Bigr quad qquad displaystyle textstyle limits "
+    "nonumber notag"
+)
+
+RULES = (
+    ("space", r"\s+|\\[,;:!]|~|\\tag\s*\{[^{}]*\}"),
+    ("number", r"\d+(?:\.\d+)?"),
+    ("text", r"\\(?:text|mbox|textrm)\s*\{[^{}]*\}"),
+    ("begin", r"\\begin\s*\{[^{}]{0,20}\}(?:\s*\{[lcr|]+\})?"),
+    ("end", r"\\end\s*\{[^{}]{0,20}\}"),
+    ("word", r"\\[A-Za-z]+"),
+    ("blank", r"\\ "),
+    ("row", r"\\\\"),
+    ("sign", r"\\[{}|]|[-+*/=<>^_&(){}\[\],.;:|'−·×≤≥≠°]"),
+    ("symbol", r"[A-Za-zα-ωϕΔΣΩ]"),
+    ("unknown", r"."),
+)
+"""The token rules, first match first."""
+
+_SCANNER = re.compile("|".join(f"(?P<{kind}>{rule})" for kind, rule in RULES), re.DOTALL)
+_LABEL = re.compile(
+    r"\\q?quad\s*\(\s*(?:[A-Z]|\\text\s*\{[A-Z]\})?[\s,.]{0,2}\d+(?:-\d+)?\s*\)\s*[.,]?\s*$"
+)
+"""The number of a display: `\\quad (6)`, `\\quad (\\text{B},3)`."""
+
+OPENING = {"(": ")", "[": "]", "{": "}", "\\{": "\\}", "\\langle": "\\rangle"}
+CLOSING = frozenset(OPENING.values())
+
+
+def tokenize(source: str) -> tuple[Token, ...]:
+    """Cut a formula into tokens, without spaces, frames and the number of the display.
+
+    Raises `LatexError` for what is too long, nested too deep, or no part of a formula that is read.
+    """
+    if len(source) > MAX_LENGTH:
+        message = f"expected at most {MAX_LENGTH} characters, found {len(source)}"
+        raise LatexError(message, source, (0, EXCERPT), "split the formula into several claims")
+    return tuple(_layout(list(_scan(source)), source))
+
+
+def _scan(source: str) -> Iterator[Token]:
+    label = _LABEL.search(source, max(0, len(source) - 60))
+    for match in _SCANNER.finditer(source, 0, label.start() if label else len(source)):
+        kind, text = match.lastgroup or "", match.group()
+        if kind in {"word", "sign", "symbol"}:
+            kind, text = _classify(kind, SYNONYMS.get(text, text))
+        if kind in {"begin", "end"}:
+            text = text[text.index("{") + 1 : text.index("}")].strip().rstrip("*")
+            kind = "space" if text in FRAMES else kind
+        if kind in {"unknown", "word"} or (kind == "begin" and text not in TABLES):
+            raise _unknown(kind, text, source, match.span())
+        if kind != "space":
+            yield Token(kind, text, match.span())
+
+
+def _classify(kind: str, text: str) -> tuple[str, str]:
+    if not text.startswith("\\") or not text[1:].isalpha():
+        return ("symbol" if text.isalpha() else "sign"), text
+    name = text[1:]
+    return ("space" if name in SPACING else KINDS.get(name, "word")), text
+
+
+def _unknown(kind: str, text: str, source: str, span: Span) -> LatexError:
+    if kind == "begin":
+        return LatexError(
+            f"the environment `{text}` is not read", source, span,
+            f"write one of {', '.join(sorted(TABLES))}",
+        )  # fmt: skip
+    if kind == "unknown":
+        return LatexError(f"{text!r} is no part of a formula", source, span, "write it in LaTeX")
+    near = get_close_matches(text[1:], [*KINDS, *SPACING], n=1, cutoff=0.8)
+    cure = f"did you mean `\\{near[0]}`?" if near else "leave it out of the formula"
+    cure = UNREAD.get(text[1:], cure)
+    return LatexError(f"`{text}` is not read", source, span, cure)
+
+
+def _layout(tokens: list[Token], source: str) -> Iterator[Token]:
+    r"""Settle the signs of layout: `&`, `\\` and `\ ` keep their meaning where they separate.
+
+    `&` and `\\` separate in tables; between statements only `\\` does, unless the next line goes on
+    with `& +`. `\ ` separates the entries of a row in square brackets.
+    """
+    opened: list[Token] = []
+    for place, token in enumerate(tokens):
+        inside = opened[-1] if opened else None
+        if token.text in OPENING or token.kind == "begin":
+            opened.append(token)
+            if len(opened) > MAX_DEPTH:
+                message = f"expected at most {MAX_DEPTH} brackets inside one another"
+                raise LatexError(message, source, token.span, "split the formula")
+        elif opened and (token.text in CLOSING or token.kind == "end"):
+            opened.pop()
+        if token.kind == "blank":
+            if inside is not None and inside.text == "[":
+                yield Token("sign", ",", token.span)
+        elif inside is not None and inside.kind == "begin":
+            yield token
+        elif token.kind == "row":
+            if inside is None and not _goes_on(tokens[place + 1 : place + 3]):
+                yield token
+        elif token.text != "&":
+            yield token
+
+
+def _goes_on(following: list[Token]) -> bool:
+    return [token.text for token in following[:1]] == ["&"] and following[-1].text in {"+", "-"}
