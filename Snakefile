@@ -11,9 +11,7 @@ from snakemake.utils import min_version
 min_version("9.0")
 
 
-configfile: "workflow/config.yaml"
-
-
+# Reads and checks workflow/config.yaml.
 include: "workflow/rules/common.smk"
 include: "workflow/rules/audit.smk"
 include: "workflow/rules/tables.smk"

@@ -19,6 +19,7 @@ from omniproof.transcription.faults import BadInput, Fault, shorten
 Key = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9-]*$")]
 Number = Annotated[int, Field(ge=1, strict=True)]
 Place = tuple[int | str, ...]
+NOTHING: Mapping[str, Any] = {}
 
 
 class PaperSettings(BaseModel):
@@ -39,13 +40,16 @@ class Settings(BaseModel):
     chapters: tuple[Key, ...] = Field(min_length=1)
 
 
-def read_settings(values: Mapping[str, Any], file: Path, root: Path) -> Settings:
-    """Check the values of a configuration `file` against what is in the project at `root`.
+def read_settings(
+    file: Path, *, root: Path = Path(), overrides: Mapping[str, Any] = NOTHING
+) -> Settings:
+    """Read a configuration `file` (relative to the project at `root`) and check it.
 
-    `file` only tells where a value stands; values given on the command line have no place in it.
+    `overrides` replace values at the top level: what Snakemake was given on its command line.
     Raises `BadInput` with all faults.
     """
     text = (root / file).read_text(encoding="utf-8")
+    values = {**_load(file, text), **overrides}
     try:
         settings = Settings.model_validate(values)
     except ValidationError as error:
@@ -61,6 +65,22 @@ def read_settings(values: Mapping[str, Any], file: Path, root: Path) -> Settings
 def module_name(paper: str) -> str:
     """Return the name of a paper's subpackage: `omni-arrangement` -> `omni_arrangement`."""
     return paper.replace("-", "_")
+
+
+def _load(file: Path, text: str) -> Mapping[str, Any]:
+    """Return the keys and values at the top of a YAML text."""
+    line, column, message = 1, 1, "expected keys with values, found something else"
+    try:
+        values = yaml.safe_load(text)
+    except yaml.MarkedYAMLError as error:
+        message = f"broken YAML: {error.problem}"
+        if error.problem_mark:
+            line, column = error.problem_mark.line + 1, error.problem_mark.column + 1
+    else:
+        if isinstance(values, dict):
+            return values
+    cure = f"`git diff {file}` shows what was changed"
+    raise BadInput([Fault(str(file), line, column, "", message, cure)])
 
 
 def _absent(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
@@ -116,7 +136,7 @@ def _fault(file: Path, text: str, place: Place, message: str, cure: str) -> Faul
 
 
 def _position(node: yaml.Node | None, place: Place) -> tuple[int, int]:
-    """Return line and column, from 1, of the key or item that `place` leads to, as far as it can."""
+    """Return line and column, from 1, of the key or item that `place` leads to, or of its owner."""
     mark = node.start_mark if node else None
     for part in place:
         found = None

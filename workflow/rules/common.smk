@@ -1,5 +1,5 @@
 """
-What the rule files share: the checked settings, the environment of all steps, names of files.
+What the files beside it share: checked settings, the environment of all steps, names of files.
 """
 
 import os
@@ -19,7 +19,7 @@ os.environ.update(
 )
 
 try:
-    settings = read_settings(config, Path("workflow/config.yaml"), Path())
+    settings = read_settings(Path("workflow/config.yaml"), overrides=config)
 except BadInput as bad:
     raise SystemExit(str(bad)) from None
 

@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from snakemake.script import snakemake
-
 from omniproof.audit.ledger import write_json
 from omniproof.audit.run import audit_paper
 from omniproof.report.step import step

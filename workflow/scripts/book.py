@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from snakemake.script import snakemake
-
 from omniproof.report.book import build, stage
 from omniproof.report.step import step
 

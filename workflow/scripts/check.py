@@ -3,8 +3,6 @@
 import json
 from pathlib import Path
 
-from snakemake.script import snakemake
-
 from omniproof.audit.run import check_paper
 from omniproof.report.step import step
 

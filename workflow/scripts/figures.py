@@ -1,7 +1,5 @@
 """Draw the figures of one paper."""
 
-from snakemake.script import snakemake
-
 from omniproof.report.drawing import write_figures
 from omniproof.report.step import step
 

@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from snakemake.script import snakemake
-
 from omniproof.audit.ledger import read_json, write_csv
 from omniproof.report.step import step
 

@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from snakemake.script import snakemake
-
 from omniproof.audit.ledger import read_json
 from omniproof.audit.theorems import read_theorems
 from omniproof.report.step import step

@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from snakemake.script import snakemake
-
 from omniproof.report.step import step
 from omniproof.report.tables import write_tables
 

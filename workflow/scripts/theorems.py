@@ -1,7 +1,5 @@
 """Prove the results that no paper prints."""
 
-from snakemake.script import snakemake
-
 from omniproof.audit.theorems import prove_all, write_theorems
 from omniproof.report.step import step
 

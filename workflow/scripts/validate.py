@@ -2,8 +2,6 @@
 
 from pathlib import Path
 
-from snakemake.script import snakemake
-
 from omniproof.audit.ledger import read_json
 from omniproof.report.step import step
 from omniproof.report.validate import validate_book

@@ -10,6 +10,7 @@ from __future__ import annotations
 import logging
 import sys
 from pathlib import Path
+from textwrap import shorten
 from typing import ClassVar
 
 from snakemake_interface_logger_plugins.base import LogHandlerBase
@@ -17,8 +18,9 @@ from snakemake_interface_logger_plugins.common import LogEvent
 
 from omniproof.report.step import failure
 
-SHOWN = ("Nothing to be done", "Report created", "This was a dry-run", "Unlock")
+SHOWN = ("Nothing to be done", "Report created", "This was a dry-run", "Unlock", "Congratulations")
 HIDDEN = ("Exiting because a job execution failed", "Restored previous version")
+WIDTH = 90
 
 
 class LogHandler(LogHandlerBase):
@@ -48,7 +50,7 @@ class LogHandler(LogHandlerBase):
             case LogEvent.JOB_INFO if fields["rule_name"] != "all":
                 self._start(fields["jobid"], fields["rule_msg"] or fields["rule_name"])
                 if self.common_settings.dryrun:
-                    _say(f"    {fields['reason']}")
+                    _say(f"    {shorten(fields['reason'], WIDTH, placeholder=' …')}")
             case LogEvent.JOB_ERROR:
                 title = self._titles.get(fields["jobid"], fields["rule_name"])
                 self._failed.append((title, list(fields["log"])))

@@ -46,10 +46,9 @@ def step(snakemake: Any) -> Iterator[SimpleNamespace]:
 
 def failure(log: Path) -> str:
     """Return the message of a failed step from its log, or the log's last lines."""
-    try:
-        text = log.read_text(encoding="utf-8", errors="replace")
-    except FileNotFoundError:
-        return "The step stopped before it opened its log; its message stands above."
+    text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
+    if not text:
+        return "The step stopped before it opened its log; its message stands further up."
     _, mark, message = text.rpartition(MESSAGE)
     return message.strip() if mark else "\n".join(text.splitlines()[-TAIL:])
 
