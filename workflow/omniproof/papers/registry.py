@@ -1,7 +1,7 @@
 """Derivations by claim id: what mechanics implies, as code that never sees what is printed.
 
-A paper's `derivations.py` fills one `Registry`. A derivation is a function that returns what its
-claim ought to say; what that is depends on the kind of the claim (see `Derived`). Derivations import
+A paper's `derivations` fill one `Registry`. A derivation is a function that returns what its claim
+ought to say; what that is depends on the kind of the claim (see `Derived`). Derivations import
 `omniproof.kinematics`, SymPy and the records of this module only.
 """
 
@@ -19,7 +19,7 @@ from omniproof.transcription.model import Form
 Derived: TypeAlias = Any
 """What a derivation returns, by the kind of its claim (SymPy publishes no types):
 
-identity: an expression, or a matrix for a printed matrix; value: an exact number; relation: a
+identity: an expression, or a matrix for a printed one; value: an exact number; relation: a
 `Relation`, or just its subject.
 """
 
@@ -67,6 +67,7 @@ class Derivation:
     build: Callable[..., Derived]
     rests_on: tuple[str, ...] = ()
     convention: str = ""
+    meanings: Callable[[], Mapping[str, Any]] = dict
 
 
 @dataclass(frozen=True)
@@ -94,10 +95,18 @@ class Registry:
     quantities: dict[str, Callable[[], Expr | MatrixBase]] = field(default_factory=dict)
     conventions: dict[str, Convention] = field(default_factory=dict)
 
-    def derives(self, *ids: str, rests_on: Sequence[str] = (), convention: str = "") -> Bind:
+    def derives(
+        self,
+        *ids: str,
+        rests_on: Sequence[str] = (),
+        convention: str = "",
+        meanings: Callable[[], Mapping[str, Any]] = dict,
+    ) -> Bind:
         """Bind a function to claims.
 
         With `convention` (a claim id), the function takes one of that convention's options.
+        `meanings` gives printed quantities another value for these claims only (any vectors, say,
+        in a lemma that the paper states with the columns of its matrix).
         Raises `ValueError` when an id is bound twice.
         """
 
@@ -105,7 +114,7 @@ class Registry:
             for claim in ids:
                 if claim in self.derivations:
                     raise ValueError(f"{self.paper}: two derivations for {claim}")
-                self.derivations[claim] = Derivation(build, tuple(rests_on), convention)
+                self.derivations[claim] = Derivation(build, tuple(rests_on), convention, meanings)
             return build
 
         return bind
@@ -130,3 +139,22 @@ def load_registry(paper: str) -> Registry:
     module = import_module(f"omniproof.papers.{paper.replace('-', '_')}.derivations")
     registry: Registry = module.REGISTRY
     return registry
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of a proof: what it says (Markdown), and what the engines have to prove for it."""
+
+    says: str
+    obligations: Callable[[], Sequence[Obligation]]
+
+
+@dataclass(frozen=True)
+class Theorem:
+    """A result that no paper prints; `id` is `thm:` and a slug, the texts are Markdown."""
+
+    id: str
+    title: str
+    statement: str
+    papers: tuple[str, ...]
+    steps: tuple[Step, ...]

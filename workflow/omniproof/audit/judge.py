@@ -1,0 +1,216 @@
+"""From a claim to its rows: one function a kind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import assert_never
+
+from omniproof.audit.answer import Proved, Refuted
+from omniproof.audit.context import Context
+from omniproof.audit.identities import judge_identity
+from omniproof.audit.ledger import Origin, Repair, Row, Verdict
+from omniproof.audit.relations import equivalent, instance, judge, merge
+from omniproof.audit.rows import answer_fields, start, with_note
+from omniproof.papers.registry import Obligation, Relation
+from omniproof.transcription.expression import evaluate
+from omniproof.transcription.model import ID, Claim, Form, Kind
+from omniproof.transcription.symbols import symbol_name
+from omniproof.transcription.tokens import LatexError
+from omniproof.transcription.tree import names
+from omniproof.transcription.verbatim import normalise
+
+
+def judge_claim(claim: Claim, context: Context) -> list[Row]:
+    """Return the rows of a claim: one, or one for each entry of a matrix."""
+    if claim.uncheckable is not None:
+        return [_judge_uncheckable(claim, context)]
+    judges: dict[Kind, Callable[[Claim, Context], Row]] = {
+        Kind.VALUE: _judge_value,
+        Kind.RELATION: _judge_relation,
+        Kind.CONSISTENCY: _judge_consistency,
+        Kind.REFERENCE: _judge_reference,
+        Kind.EDITORIAL: _judge_reading,
+    }
+    if claim.kind is Kind.IDENTITY:
+        return judge_identity(claim, context)
+    return [judges[claim.kind](claim, context)]
+
+
+def _judge_uncheckable(claim: Claim, context: Context) -> Row:
+    row = start(claim, context).model_copy(update={"verdict": Verdict.UNCHECKABLE})
+    return with_note(row, f"{claim.uncheckable}: {claim.decided_by} would decide it")
+
+
+def _judge_value(claim: Claim, context: Context) -> Row:
+    from omniproof.audit.decimals import Rounding, classify
+
+    value = context.derive(claim.id)
+    finding = classify(value, str(claim.printed))
+    match finding.rounding:
+        case Rounding.EXACT | Rounding.ROUNDED | Rounding.TIE:
+            verdict = Verdict.VERIFIED
+        case Rounding.TRUNCATED | Rounding.OFF_BY_ONE:
+            verdict = Verdict.MISROUNDED
+        case Rounding.WRONG:
+            verdict = Verdict.ERRATUM
+        case _ as never:
+            assert_never(never)
+    fields = {
+        "verdict": verdict,
+        "derived": context.latex(value),
+        "interval": finding.interval_text,
+        "engines": "flint",
+    }
+    if verdict is not Verdict.VERIFIED:
+        fields |= {
+            "witness": f"printed={claim.printed}; derived={finding.digits}",
+            "correction": finding.correction,
+            "repair": Repair.MANUAL,
+        }
+    row = start(claim, context).model_copy(update=fields)
+    return with_note(row, f"{finding.rounding}" if verdict is Verdict.MISROUNDED else "")
+
+
+def _judge_relation(claim: Claim, context: Context) -> Row:
+    relation = context.relation(claim.id)
+    answer = _judge_form(claim, relation, context)
+    row = start(claim, context).model_copy(update=answer_fields(answer, context))
+    if not isinstance(answer, Refuted):
+        return row
+    engines = list(answer.engines)
+    for obligation in relation.proof:
+        proof = judge(obligation)
+        if not isinstance(proof, Proved):
+            return row.model_copy(
+                update={
+                    "verdict": Verdict.UNDECIDED,
+                    "note": f"no proof of the correction: {proof}",
+                }
+            )
+        engines += proof.engines
+    fields: dict[str, object] = {"engines": "+".join(merge(engines))}
+    if relation.condition:
+        fields |= {"verdict": Verdict.CONDITIONAL, "assumption": relation.condition}
+    elif relation.correction:
+        fields |= {"correction": relation.correction, "repair": Repair.MANUAL}
+    return row.model_copy(update=fields)
+
+
+def _judge_form(claim: Claim, relation: Relation, context: Context):  # type: ignore[no-untyped-def]
+    assert claim.asserts is not None
+    form = claim.asserts.form
+    if form is Form.EQUIVALENT:
+        return equivalent(context.evaluate(claim.id), relation.subject)
+    if form is Form.INSTANCE:
+        return instance(tuple(context.evaluate(claim.id)), relation.subject)
+    at = tuple(_point(context, text) for text in claim.asserts.at)
+    return judge(Obligation(form, relation.subject, at, claim.asserts.member))
+
+
+def _point(context: Context, text: str):  # type: ignore[no-untyped-def]
+    from omniproof.transcription.reader import read
+
+    value = evaluate(read(text, context.loaded.paper.notation), context.meanings, text)
+    return tuple(value) if hasattr(value, "__iter__") else (value,)
+
+
+def _judge_consistency(claim: Claim, context: Context) -> Row:
+    if claim.id in context.registry.conventions:
+        return _judge_convention(claim, context)
+    if any(_is_convention(other, context) for other in claim.agrees_with):
+        (other,) = claim.agrees_with
+        row = _judge_convention(context.claims[other], context)
+        return start(claim, context).model_copy(update={"verdict": row.verdict, "note": row.note})
+    row = start(claim, context)
+    against = [other for other in claim.agrees_with if not _agree(claim, other, context)]
+    verdict = Verdict.INCONSISTENT if against else Verdict.VERIFIED
+    row = row.model_copy(update={"verdict": verdict, "engines": "text"})
+    return with_note(row, f"differs from {', '.join(against)}" if against else "")
+
+
+def _is_convention(other: str, context: Context) -> bool:
+    return other in context.registry.conventions
+
+
+def _judge_convention(claim: Claim, context: Context) -> Row:
+    convention = context.registry.conventions[claim.id]
+    chosen = context.choices[claim.id]
+    agreed = chosen == convention.stated
+    row = start(claim, context).model_copy(
+        update={"verdict": Verdict.VERIFIED if agreed else Verdict.INCONSISTENT, "engines": "flint"}
+    )
+    if agreed:
+        return row
+    others = ", ".join(claim.agrees_with)
+    return with_note(
+        row,
+        f"stated at {others}: {convention.stated}; used here: {chosen}. "
+        f"The printed formulas need the latter",
+    )
+
+
+def _agree(claim: Claim, other: str, context: Context) -> bool:
+    """Whether two places print one thing: the same wording, or the symbol in a formula."""
+    printed = str(claim.printed)
+    partner = context.claims.get(other)
+    if partner is not None and partner.kind is Kind.CONSISTENCY:
+        return _spelling(printed) == _spelling(str(partner.printed))
+    return _spelling(printed) in names(context.loaded.trees[other])
+
+
+def _spelling(text: str) -> str:
+    try:
+        return symbol_name(text)
+    except LatexError:
+        return normalise(text)
+
+
+def _judge_reference(claim: Claim, context: Context) -> Row:
+    if claim.id in context.readings:
+        return _judge_reading(claim, context)
+    found = _symbols_at(str(claim.target), context)
+    wanted = symbol_name(claim.about) if claim.about else None
+    row = start(claim, context).model_copy(update={"engines": "text"})
+    if wanted is None or wanted in found:
+        return row.model_copy(update={"verdict": Verdict.VERIFIED})
+    places = _defining(wanted, context)
+    return with_note(
+        row.model_copy(
+            update={
+                "verdict": Verdict.ERRATUM,
+                "correction": ", ".join(places),
+                "repair": Repair.MANUAL,
+            }
+        ),
+        f"{claim.target} does not contain ${claim.about}$",
+    )
+
+
+def _object(claim: str) -> str:
+    parts = ID.fullmatch(claim)
+    assert parts is not None
+    return f"{parts['object']}:{parts['number']}"
+
+
+def _symbols_at(target: str, context: Context) -> set[str]:
+    trees = context.loaded.trees
+    return {name for id_, tree in trees.items() if _object(id_) == target for name in names(tree)}
+
+
+def _defining(symbol: str, context: Context) -> list[str]:
+    """Equations that print a symbol alone, as the left side of what they say."""
+    trees = context.loaded.trees.items()
+    return [_object(id_) for id_, tree in trees if getattr(tree, "name", None) == symbol]
+
+
+def _judge_reading(claim: Claim, context: Context) -> Row:
+    reading = context.readings[claim.id]
+    row = start(claim, context).model_copy(
+        update={
+            "verdict": reading.verdict,
+            "origin": Origin.READ,
+            "correction": reading.correction,
+            "printed": claim.quote or claim.says,
+        }
+    )
+    return with_note(row, reading.reason)

@@ -1,0 +1,30 @@
+"""Verdicts by hand, allowed for references and editorial claims only, each with its reason."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from pathlib import Path
+
+from pydantic import BaseModel, ConfigDict, TypeAdapter
+
+from omniproof.audit.ledger import Verdict
+from omniproof.transcription.paperfile import load_document
+
+
+class Read(BaseModel):
+    """What a person found at one place."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    verdict: Verdict
+    reason: str
+    correction: str = ""
+
+
+def load_readings(paper: str) -> dict[str, Read]:
+    """Return the readings of a paper by claim id; none where the paper has no such file."""
+    folder = files(f"omniproof.papers.{paper.replace('-', '_')}")
+    path = Path(str(folder.joinpath("readings.yaml")))
+    if not path.exists():
+        return {}
+    return TypeAdapter(dict[str, Read]).validate_python(load_document(path).values)

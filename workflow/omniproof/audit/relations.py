@@ -1,0 +1,163 @@
+"""Judge a form on a subject: the one door from statements to engines.
+
+The engine behind each form is imported when it is asked for: a paper without extrema does not pay
+for branch and bound.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import product
+from typing import Any
+
+from sympy import Expr, Symbol, sign
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import Boolean
+
+from omniproof.audit import ordering
+from omniproof.audit.answer import REALS, Answer, Proved, Refuted, Undecided, Witness
+from omniproof.audit.zero_test import decide_equal
+from omniproof.papers.registry import Family, Obligation
+from omniproof.transcription.model import Form
+
+_SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}
+
+
+def judge(obligation: Obligation) -> Answer:
+    """Decide whether the form holds for the subject; `Undecided` for a subject of the wrong type.
+
+    Raises nothing for any subject: a form that cannot be judged on it is undecided.
+    """
+    form, subject = obligation.form, obligation.subject
+    if isinstance(subject, Family):
+        return _judge_family(form, subject, obligation.at)
+    if isinstance(subject, Mapping):
+        return _judge_member(form, subject, str(obligation.member))
+    if isinstance(subject, Sequence):
+        return _judge_sequence(form, tuple(subject))
+    return Undecided(f"the form {form} is not judged on a {type(subject).__name__}")
+
+
+def all_equal(values: Sequence[Expr]) -> Answer:
+    """Decide whether all expressions agree, wherever they are defined."""
+    engines: tuple[str, ...] = ()
+    for value in values[1:]:
+        answer = decide_equal(values[0], value, REALS)
+        if not isinstance(answer, Proved):
+            return answer
+        engines = merge(engines, answer.engines)
+    return Proved(engines)
+
+
+def merge(*groups: Sequence[str]) -> tuple[str, ...]:
+    """Names of engines in the order of their first appearance."""
+    return tuple(dict.fromkeys(name for group in groups for name in group))
+
+
+def _judge_family(form: Form, family: Family, at: tuple[tuple[Expr, ...], ...]) -> Answer:
+    from omniproof.audit import extrema
+
+    match form:
+        case Form.MINIMUM | Form.MAXIMUM:
+            return extrema.prove_extremum(family, at, form)
+        case Form.POSITIVE | Form.NEGATIVE:
+            return extrema.sign_on(family, _SIGNS[form])
+        case Form.CONCAVE:
+            return extrema.concave(family)
+    return Undecided(f"the form {form} is not judged on a family")
+
+
+def _judge_member(form: Form, values: Mapping[str, Expr], member: str) -> Answer:
+    if form not in {Form.LARGEST, Form.SMALLEST} or member not in values:
+        return Undecided(f"the form {form} with the member {member} is not judged on {set(values)}")
+    wanted = 1 if form is Form.LARGEST else -1
+    for name, value in values.items():
+        if name != member and ordering.compare(values[member], value) != wanted:
+            return _refuted_by({member: values[member], name: value})
+    return Proved(("flint",))
+
+
+def _judge_sequence(form: Form, values: tuple[Expr, ...]) -> Answer:
+    match form:
+        case Form.EQUAL:
+            return all_equal(values)
+        case Form.POSITIVE | Form.NEGATIVE:
+            wrong = [v for v in values if ordering.compare(v, 0) != _SIGNS[form]]
+            return _refuted_by({"value": wrong[0]}) if wrong else Proved(("flint",))
+        case Form.INCREASING | Form.DECREASING:
+            wanted = -1 if form is Form.INCREASING else 1
+            for k, (a, b) in enumerate(zip(values, values[1:], strict=False), 1):
+                if ordering.compare(a, b) != wanted:
+                    return _refuted_by({f"value_{k}": a, f"value_{k + 1}": b})
+            return Proved(("flint",))
+    return Undecided(f"the form {form} is not judged on a sequence")
+
+
+def _refuted_by(values: Mapping[str, Expr]) -> Refuted:
+    shown = {name: ordering.digits(value) for name, value in values.items()}
+    return Refuted(("flint",), Witness(shown, "true", "false"))
+
+
+def equivalent(printed: Boolean, derived: Boolean) -> Answer:
+    """Decide whether two conditions on the signs of monomials hold in the same cases.
+
+    The sign of a monomial depends on the signs of its symbols only, so that -1, 0 and 1 for each
+    symbol (no 0 where the symbol is nonzero) are all the cases there are.
+    """
+    relations = printed.atoms(Relational) | derived.atoms(Relational)
+    if not all(_on_a_monomial(relation) for relation in relations):
+        return Undecided("a condition is not on the sign of a monomial")
+    symbols = sorted(printed.free_symbols | derived.free_symbols, key=str)
+    for case in product(*(_cases(symbol) for symbol in symbols)):
+        point = dict(zip(symbols, case, strict=True))
+        sides = bool(printed.subs(point)), bool(derived.subs(point))
+        if sides[0] != sides[1]:
+            shown = {str(symbol): str(value) for symbol, value in point.items()}
+            return Refuted(("signs",), Witness(shown, *(str(side).lower() for side in sides)))
+    return Proved(("signs",))
+
+
+def _cases(symbol: Symbol) -> tuple[int, ...]:
+    if symbol.is_positive:
+        return (1,)
+    return (-1, 1) if symbol.is_nonzero else (-1, 0, 1)
+
+
+def _on_a_monomial(relation: Relational) -> bool:
+    if relation.rhs != 0:
+        return False
+    factors = relation.lhs.as_ordered_factors()
+    return all(sign(f).is_number or f.as_base_exp()[0].is_Symbol for f in factors)
+
+
+def instance(printed: Sequence[Expr], family: Sequence[Expr]) -> Answer:
+    """Decide whether the printed angles are a member of a one-parameter family of angles.
+
+    Order and full turns do not matter. Each member of the family is a rational-linear form in the
+    parameter; an entry that is matched with a parametric one fixes the parameter.
+    """
+    (parameter,) = set().union(*(member.free_symbols for member in family))
+    slope = [(k, m.coeff(parameter)) for k, m in enumerate(family) if m.has(parameter)]
+    k, factor = slope[0]
+    best = 0
+    for value in printed:
+        chosen = (value - family[k].subs(parameter, 0)) / factor
+        member = [_reduced(m.subs(parameter, chosen)) for m in family]
+        found = [entry for entry in printed if _reduced(entry) in member]
+        best = max(best, len(found))
+    if best == len(printed) == len(family):
+        return Proved(("exact",))
+    shown = {f"angle_{i}": _degrees(entry) for i, entry in enumerate(printed, 1)}
+    return Refuted(("exact",), Witness(shown, f"{len(printed)} angles", f"{best} in one member"))
+
+
+def _reduced(angle: Expr) -> Expr:
+    from sympy import pi
+
+    return angle % (2 * pi)
+
+
+def _degrees(angle: Any) -> str:
+    from sympy import pi
+
+    return f"{angle * 180 / pi}°"

@@ -1,0 +1,117 @@
+"""Audit one paper: load, check, choose conventions, judge every claim, attribute the faults."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from sympy import MatrixBase
+
+from omniproof.audit.attribution import attribute
+from omniproof.audit.context import Context
+from omniproof.audit.identities import count_faults
+from omniproof.audit.judge import judge_claim
+from omniproof.audit.ledger import Ledger
+from omniproof.audit.readings import load_readings
+from omniproof.papers.registry import Registry, load_registry
+from omniproof.transcription.faults import BadInput, Fault
+from omniproof.transcription.loader import load_paper, unmatched
+from omniproof.transcription.model import Claim, Form, Kind
+from omniproof.transcription.tokens import LatexError
+
+
+def check_paper(folder: Path) -> dict[str, object]:
+    """Check everything that can be wrong with a paper file, and decide nothing.
+
+    Returns the number of claims by kind. Raises `BadInput` with all faults of the folder.
+    """
+    context = prepare(folder)
+    kinds = [claim.kind for claim in context.loaded.claims]
+    return {
+        "paper": context.loaded.paper.key,
+        "claims": {kind.value: kinds.count(kind) for kind in Kind},
+    }
+
+
+def audit_paper(folder: Path) -> Ledger:
+    """Return the ledger of the paper in a folder of `paper_data`; raises `BadInput`."""
+    context = prepare(folder)
+    context.choices = {name: _choose(name, context) for name in context.registry.conventions}
+    rows = [row for claim in context.loaded.claims for row in judge_claim(claim, context)]
+    return Ledger(
+        paper=context.loaded.paper.key,
+        claims=len(context.loaded.claims),
+        rows=tuple(attribute(rows, context)),
+    )
+
+
+def prepare(folder: Path) -> Context:
+    """Load a paper with its derivations and readings; raises `BadInput` with all faults."""
+    loaded = load_paper(folder)
+    key = loaded.paper.key
+    try:
+        registry = load_registry(key)
+    except ModuleNotFoundError:
+        registry = Registry(key)
+    context = Context(loaded, registry, load_readings(key))
+    faults = unmatched(
+        loaded, set(registry.derivations), set(registry.quantities), set(context.readings)
+    )
+    if not faults:
+        faults = [fault for claim in loaded.claims for fault in _unfit(claim, context)]
+    if faults:
+        raise BadInput(faults)
+    return context
+
+
+def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
+    """Find what only evaluation shows: unknown symbols, impossible products, wrong shapes."""
+    if claim.uncheckable or claim.id not in context.loaded.trees:
+        return
+    compared = claim.kind is Kind.IDENTITY
+    if not compared and (
+        claim.asserts is None or claim.asserts.form not in {Form.EQUIVALENT, Form.INSTANCE}
+    ):
+        return
+    try:
+        nodes = context.sides(claim.id) if compared else (context.loaded.trees[claim.id],)
+        values = [context.evaluate(claim.id, node) for node in nodes]
+    except LatexError as error:
+        yield context.loaded.fault(claim.id, "latex", error.message, error.cure)
+        return
+    if compared and any(isinstance(value, MatrixBase) for value in values):
+        yield from _shapes(claim, context, values)
+
+
+def _shapes(claim: Claim, context: Context, values: list[object]) -> Iterator[Fault]:
+    expected = getattr(context.derive(claim.id), "shape", "a single expression")
+    for value in values:
+        found = getattr(value, "shape", "a single expression")
+        if found != expected:
+            yield context.loaded.fault(
+                claim.id,
+                "latex",
+                f"expected the shape {expected}, found {found}",
+                "print every row with the same number of entries, as the paper does",
+            )
+
+
+def _choose(name: str, context: Context) -> str:
+    """Choose the reading of a convention under which the fewest printed cells are wrong."""
+    group = [
+        claim
+        for claim in context.loaded.claims
+        if claim.id in context.registry.derivations
+        and context.derivation(claim.id).convention == name
+    ]
+    options = context.registry.conventions[name].options
+    costs = {
+        option: sum(count_faults(claim, _under(context, name, option)) for claim in group)
+        for option in options
+    }
+    return min(options, key=lambda option: costs[option])
+
+
+def _under(context: Context, name: str, option: str) -> Context:
+    return replace(context, choices={**context.choices, name: option})
