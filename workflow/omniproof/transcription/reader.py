@@ -10,7 +10,7 @@ unless the paper's `Notation` settles it.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from omniproof.transcription.atoms import AtomReader
@@ -37,7 +37,7 @@ from omniproof.transcription.tree import (
     Transpose,
 )
 
-__all__ = ["LatexError", "read", "symbol_name"]
+__all__ = ["LatexError", "Names", "read", "read_with", "symbol_name"]
 
 COMPARISONS = frozenset({"<", ">", "\\leq", "\\geq", "\\neq"})
 RELATIONS = COMPARISONS | {"="}
@@ -56,19 +56,29 @@ def read(
     followed by arguments, as `D_V(\theta)`. Raises `LatexError` for what cannot be read, or in more
     than one way.
     """
-    notation = notation or Notation()
-    names = {symbol_name(latex) for latex in (*symbols, *quantities)}
-    reader = Reader(text, names, {symbol_name(latex) for latex in quantities}, notation)
-    return reader.document()
+    applied = frozenset(symbol_name(latex) for latex in quantities)
+    declared = applied.union(symbol_name(latex) for latex in symbols)
+    return read_with(text, notation or Notation(), Names(declared, applied))
+
+
+@dataclass(frozen=True)
+class Names:
+    """Canonical names of the declared symbols, and of those that take arguments."""
+
+    declared: frozenset[str] = frozenset()
+    quantities: frozenset[str] = frozenset()
+
+
+def read_with(text: str, notation: Notation, names: Names) -> Node:
+    """Read a formula as `read` does, for symbols that are canonical already."""
+    return Reader(text, names, notation).document()
 
 
 class Reader(AtomReader):
     """Sums, products, powers and statements."""
 
-    def __init__(
-        self, source: str, declared: set[str], quantities: set[str], notation: Notation
-    ) -> None:
-        super().__init__(source, declared, quantities, notation.functions)
+    def __init__(self, source: str, names: Names, notation: Notation) -> None:
+        super().__init__(source, names.declared, names.quantities, notation.functions)
         self.slash = notation.slash
         self.bare = -1  # where the last function argument without brackets ended
 

@@ -28,12 +28,16 @@ class LatexError(Exception):
 
     def __str__(self) -> str:
         """Show the message, the source around the fault with a marker below, and the cure."""
+        return f"{self.picture}\n    {self.cure}" if self.cure else self.picture
+
+    @property
+    def picture(self) -> str:
+        """The message, and the source around the fault with a marker below."""
         excerpt, start = _excerpt(self.source, self.span)
         end = min(max(self.span[1], self.span[0] + 1), start + len(excerpt) + 1)
         left = self.span[0] - start
         marker = " " * left + "~" * (end - self.span[0] - 1) + "^"
-        lines = [self.message, f"    {excerpt}", f"    {marker}"]
-        return "\n".join([*lines, f"    {self.cure}"] if self.cure else lines)
+        return f"{self.message}\n    {excerpt}\n    {marker}"
 
 
 def _excerpt(source: str, span: Span) -> tuple[str, int]:

@@ -1,0 +1,247 @@
+"""The checks on a paper file that need no derivation.
+
+Shape first (the data model), then meaning: what has the right shape is checked further even where
+other entries are broken, so that one run shows everything there is to mend.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from omniproof.transcription.faults import BadInput, Fault
+from omniproof.transcription.messages import label, model_fault, nearest
+from omniproof.transcription.model import ID, Claim, Notation, Paper, Role, Symbol, Table
+from omniproof.transcription.paperfile import Document, Path_, Tree
+from omniproof.transcription.reader import LatexError, Names, read_with, symbol_name
+from omniproof.transcription.tablefile import Cell, load_table, unit_faults
+from omniproof.transcription.tokens import FUNCTIONS
+from omniproof.transcription.tree import Node, names, walk
+
+LISTS = frozenset({"latex", "agrees_with", "at"})
+"""Keys of a claim whose single value may be written without a list."""
+
+Entry = TypeVar("Entry", bound=BaseModel)
+
+
+@dataclass(frozen=True)
+class Position:
+    """Where a claim stands in the folder; line and column from 1."""
+
+    file: str
+    line: int
+    column: int
+
+
+@dataclass
+class Check:
+    """One pass over a folder; every step adds to what is known and to the faults."""
+
+    folder: Path
+    document: Document
+    values: Tree
+    paper: Paper | None = None
+    faults: list[Fault] = field(default_factory=list)
+    notation: Notation = field(default_factory=Notation)
+    symbols: dict[str, Symbol] = field(default_factory=dict)
+    claims: dict[int, Claim] = field(default_factory=dict)
+    cells: dict[str, tuple[Cell, ...]] = field(default_factory=dict)
+    positions: dict[str, Position] = field(default_factory=dict)
+    sources: dict[str, str] = field(default_factory=dict)
+    trees: dict[str, Node] = field(default_factory=dict)
+    points: dict[str, tuple[Node, ...]] = field(default_factory=dict)
+
+    def run(self) -> None:
+        """Check everything, in the order in which one thing needs another."""
+        symbols, tables = self.shape()
+        self.check_notation()
+        self.check_symbols(symbols)
+        self.check_tables(tables)
+        self.check_ids()
+        self.read_all()
+        self.check_pointers()
+
+    def fault(self, path: Path_, message: str, cure: str = "") -> None:
+        """Note a fault at a path of the paper file."""
+        place = self.document.place(path)
+        where = label(path, self.values)
+        self.faults.append(Fault(self.document.name, *place, where, message, cure))
+
+    def shape(self) -> tuple[dict[int, Symbol], dict[int, Table]]:
+        """Validate everything; keep what fits, by its place in its list."""
+        bad: set[Path_] = set()
+        try:
+            self.paper = Paper.model_validate(self.values)
+        except ValidationError as error:
+            for item in error.errors(include_url=False):
+                self.faults.append(model_fault(dict(item), self.document))
+                bad.add(tuple(item["loc"][:2]))
+        self.claims = self.entries("claims", Claim, bad)
+        if isinstance(self.values, dict) and not any(path[0] == "notation" for path in bad if path):
+            self.notation = Notation.model_validate(self.values.get("notation", {}))
+        return self.entries("symbols", Symbol, bad), self.entries("tables", Table, bad)
+
+    def entries(self, key: str, kind: type[Entry], bad: set[Path_]) -> dict[int, Entry]:
+        """The entries of a list that have the right shape."""
+        if self.paper is not None:
+            return dict(enumerate(getattr(self.paper, key)))
+        listed = self.values.get(key, []) if isinstance(self.values, dict) else []
+        if not isinstance(listed, list):
+            return {}
+        good = ((i, value) for i, value in enumerate(listed) if (key, i) not in bad)
+        return {i: kind.model_validate(value) for i, value in good}
+
+    def check_notation(self) -> None:
+        """Shorthands are one letter for a function that is read."""
+        for short, function in self.notation.functions.items():
+            path = ("notation", "functions", short)
+            if function not in FUNCTIONS:
+                known = ", ".join(sorted(FUNCTIONS))
+                message = f"expected one of {known}, found `{function[:20]}`"
+                self.fault(path, message, nearest(function, FUNCTIONS))
+            if len(short) != 1 or not short.isalpha():
+                self.fault(path, f"expected one letter for a function, found `{short[:20]}`")
+
+    def check_symbols(self, symbols: Mapping[int, Symbol]) -> None:
+        """Each symbol is one readable symbol, declared once, with a name of its own."""
+        by_name: dict[str, int] = {}
+        for i, symbol in symbols.items():
+            try:
+                name = symbol_name(symbol.latex)
+            except LatexError as error:
+                self.fault(("symbols", i, "latex"), error.picture, error.cure)
+                continue
+            line = self.document.place(("symbols", by_name.get(symbol.name, i)))[0]
+            if name in self.symbols:
+                message = f"expected each symbol once, found `{name}` again"
+                self.fault(("symbols", i, "latex"), message, "fonts do not tell symbols apart")
+            elif symbol.name in by_name:
+                message = f"expected each name once, found `{symbol.name}` again"
+                self.fault(("symbols", i, "name"), message, f"the first one is on line {line}")
+            self.symbols.setdefault(name, symbol)
+            by_name.setdefault(symbol.name, i)
+
+    def check_tables(self, tables: Mapping[int, Table]) -> None:
+        """Read the tables, each with its units."""
+        for i, table in tables.items():
+            try:
+                cells = load_table(self.folder, table)
+            except BadInput as bad:
+                self.faults.extend(bad.faults)
+                continue
+            self.cells[table.id] = cells
+            for column, message, cure in unit_faults(table, cells):
+                self.fault(("tables", i, "units", column), message, cure)
+
+    def check_ids(self) -> None:
+        """Every id once, cells of tables included."""
+        for table in self.cells.values():
+            for cell in table:
+                self.positions[cell.claim.id] = Position(cell.file, cell.line, cell.column)
+        for i, claim in self.claims.items():
+            path: Path_ = ("claims", i, "id")
+            if claim.id in self.positions:
+                first = self.positions[claim.id]
+                message = f"expected each id once, found `{claim.id}` again"
+                self.fault(path, message, f"the first one is at {first.file}:{first.line}")
+                continue
+            place = self.document.place(path)
+            self.positions[claim.id] = Position(self.document.name, *place)
+
+    def read_all(self) -> None:
+        """Read all LaTeX: one fault for what cannot be read, one for each unknown symbol."""
+        quantities = {n for n, symbol in self.symbols.items() if symbol.role is Role.QUANTITY}
+        known = Names(frozenset(self.symbols), frozenset(quantities))
+        for i, claim in self.claims.items():
+            source = " ".join(claim.latex)
+            if source:
+                tree = self.read(("claims", i, "latex"), source, claim.latex, known)
+                if tree is not None:
+                    self.trees[claim.id] = tree
+                    self.sources[claim.id] = source
+            at = claim.asserts.at if claim.asserts else ()
+            path: Path_ = ("claims", i, "asserts", "at")
+            points = [self.read((*path, k), text, (text,), known) for k, text in enumerate(at)]
+            if at:
+                self.points[claim.id] = tuple(point for point in points if point is not None)
+
+    def read(
+        self, path: Path_, source: str, fragments: tuple[str, ...], known: Names
+    ) -> Node | None:
+        """Read one formula, or note why not."""
+        try:
+            tree = read_with(source, self.notation, known)
+        except LatexError as error:
+            self.latex_fault(path, error, fragments)
+            return None
+        for unknown in unknown_symbols(tree, source, known.declared):
+            self.latex_fault(path, unknown, fragments)
+        return tree
+
+    def latex_fault(self, path: Path_, error: LatexError, fragments: tuple[str, ...]) -> None:
+        """Note a fault of a formula, on the line of its fragment."""
+        start = 0
+        for k, fragment in enumerate(fragments):
+            if start <= error.span[0] < start + len(fragment) + 1 and len(fragments) > 1:
+                path = (*path, k)
+            start += len(fragment) + 1
+        self.fault(path, error.picture, error.cure)
+
+    def check_pointers(self) -> None:
+        """What a claim points to is a claim, or a place that has claims."""
+        ids = set(self.positions)
+        wholes = {_whole(claim) for claim in ids}
+        for i, claim in self.claims.items():
+            for k, other in enumerate(claim.agrees_with):
+                path: Path_ = ("claims", i, "agrees_with", k)
+                if other == claim.id:
+                    self.fault(path, "expected another claim, found the claim itself")
+                elif other not in ids and _without_index(other) not in ids:
+                    message = f"expected the id of a claim, found `{other}`"
+                    self.fault(path, message, nearest(other, ids))
+            target = claim.target
+            if target and target not in ids | wholes and _without_index(target) not in ids:
+                message = f"expected an equation, figure or section with claims, found `{target}`"
+                self.fault(("claims", i, "target"), message, nearest(target, ids | wholes))
+
+
+def unknown_symbols(tree: Node, source: str, declared: frozenset[str]) -> Iterator[LatexError]:
+    """Symbols that nobody declared; the determinant of a declared matrix needs no entry."""
+    unknown = {n for n in names(tree) if n not in declared}
+    unknown = {n for n in unknown if n.removeprefix("\\det ") not in declared}
+    for node in walk(tree):
+        name = getattr(node, "name", None)
+        if name in unknown:
+            unknown.discard(name)
+            cure = nearest(name, declared, "declare it under `symbols`")
+            yield LatexError(f"unknown symbol `{name}`", source, node.span, cure)
+
+
+def _whole(claim: str) -> str:
+    match = ID.fullmatch(claim)
+    return f"{match['object']}:{match['number']}{match['again'] or ''}" if match else claim
+
+
+def _without_index(claim: str) -> str:
+    return claim.partition("[")[0]
+
+
+def one_is_enough(values: Tree) -> Tree:
+    """Let one fragment, id or point of a claim stand for a list of one."""
+    claims = values.get("claims") if isinstance(values, dict) else None
+    if not isinstance(values, dict) or not isinstance(claims, list):
+        return values
+    return {**values, "claims": [_with_lists(claim) for claim in claims]}
+
+
+def _with_lists(entry: Tree) -> Tree:
+    if not isinstance(entry, dict):
+        return entry
+    return {
+        key: [value] if key in LISTS and isinstance(value, str) else _with_lists(value)
+        for key, value in entry.items()
+    }

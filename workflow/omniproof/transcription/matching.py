@@ -1,0 +1,105 @@
+"""What a paper prints against what its derivations, quantities and readings say of it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from omniproof.transcription.faults import Fault
+from omniproof.transcription.loader import FILE, LoadedPaper, Position
+from omniproof.transcription.messages import nearest
+from omniproof.transcription.model import Claim, Kind, Role
+from omniproof.transcription.paperfile import display_name
+
+DERIVED = frozenset({Kind.IDENTITY, Kind.VALUE, Kind.RELATION})
+
+
+def unmatched(
+    loaded: LoadedPaper,
+    derivation_ids: Collection[str],
+    quantity_names: Collection[str],
+    reading_ids: Collection[str] = (),
+) -> list[Fault]:
+    """List claims without derivation, derivations and readings without claim, bare quantities.
+
+    A derivation is bound to a claim, to a whole of which the claim is a cell (`tab:2`), or to one
+    entry of a claim (`eq:6[2,3]`).
+    """
+    return sorted(
+        [
+            *_underived(loaded, derivation_ids),
+            *_without_claim(loaded, derivation_ids, "derivation"),
+            *_quantities(loaded, quantity_names),
+            *_readings(loaded, reading_ids),
+            *_without_claim(loaded, reading_ids, "reading"),
+        ]
+    )
+
+
+def needs_derivation(claim: Claim) -> bool:
+    """Whether a claim is judged against what mechanics implies."""
+    return claim.kind in DERIVED and claim.uncheckable is None
+
+
+def _underived(loaded: LoadedPaper, ids: Collection[str]) -> Iterator[Fault]:
+    covered = {*ids, *(_whole(item) for item in ids)}
+    for claim in loaded.claims:
+        if needs_derivation(claim) and not {claim.id, _whole(claim.id)} & covered:
+            message = f"expected a derivation for this {claim.kind}, found none"
+            cure = (
+                f'add a function with `@REGISTRY.derives("{claim.id}")` '
+                f"to {_code(loaded)}, or say why it is `uncheckable`"
+            )
+            yield _fault(loaded, claim.id, message, cure)
+
+
+def _readings(loaded: LoadedPaper, ids: Collection[str]) -> Iterator[Fault]:
+    """Editorial claims are read, and so are references whose target no program can look at."""
+    for claim in loaded.claims:
+        read = claim.kind is Kind.EDITORIAL or (
+            claim.kind is Kind.REFERENCE and claim.target is None and claim.uncheckable is None
+        )
+        if read and claim.id not in ids:
+            message = f"expected a reading of this {claim.kind}, found none"
+            cure = f"add `{claim.id}` with its reason to {_folder(loaded)}/readings.yaml"
+            yield _fault(loaded, claim.id, message, cure)
+
+
+def _without_claim(loaded: LoadedPaper, ids: Collection[str], kind: str) -> Iterator[Fault]:
+    known = set(loaded.positions)
+    wholes = {_whole(claim) for claim in known}
+    for item in ids:
+        if item not in known | wholes and _whole(item) not in known:
+            message = f"expected a claim for the {kind} `{item}`, found none"
+            code = _code(loaded) if kind == "derivation" else f"{_folder(loaded)}/readings.yaml"
+            cure = nearest(item, known | wholes, f"add the claim, or remove it from {code}")
+            yield _fault(loaded, "", message, cure)
+
+
+def _quantities(loaded: LoadedPaper, given: Collection[str]) -> Iterator[Fault]:
+    declared = {symbol.name for symbol in loaded.symbols.values() if symbol.role is Role.QUANTITY}
+    for name in declared - set(given):
+        message = f"expected a meaning of the quantity `{name}`, found none"
+        cure = f'add a function with `@REGISTRY.quantity("{name}")` to {_code(loaded)}'
+        yield _fault(loaded, "", message, cure, f"symbols[{name}]")
+    for name in set(given) - declared:
+        message = f"expected a symbol with `role: quantity` for the meaning `{name}`, found none"
+        yield _fault(loaded, "", message, nearest(name, declared, "declare it under `symbols`"))
+
+
+def _fault(loaded: LoadedPaper, claim: str, message: str, cure: str, path: str = "") -> Fault:
+    file = Position(display_name(loaded.folder / FILE), 1, 1)
+    place = loaded.positions.get(claim, file)
+    path = path or (f"claims[{claim}]" if claim else "")
+    return Fault(place.file, place.line, place.column, path, message, cure)
+
+
+def _folder(loaded: LoadedPaper) -> str:
+    return f"papers/{loaded.paper.key.replace('-', '_')}"
+
+
+def _code(loaded: LoadedPaper) -> str:
+    return f"{_folder(loaded)}/derivations.py"
+
+
+def _whole(claim: str) -> str:
+    return claim.partition("[")[0]
