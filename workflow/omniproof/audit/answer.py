@@ -46,12 +46,16 @@ class Refuted:
 
 @dataclass(frozen=True)
 class OnBranch:
-    """True exactly under `condition` (LaTeX); the witness shows that the condition is needed."""
+    """True exactly under `condition` (LaTeX); the witness shows that the condition is needed.
+
+    `relations` are the same condition for programs: SymPy Booleans, all of which must hold.
+    """
 
     engines: tuple[str, ...]
     condition: str
     witness: Witness
     note: str = ""
+    relations: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)

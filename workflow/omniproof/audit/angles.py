@@ -1,0 +1,117 @@
+"""Trigonometric functions as algebra: two charts of the circle.
+
+An angle is a rational combination of *atoms* (symbols, products such as omega*t, anything real)
+plus a rational multiple of pi. With u = atom / (common denominator), every sine and cosine is a
+polynomial in the points (cos u, sin u) of the circle. Atoms are linearly independent over Q, so
+these points are algebraically independent of each other, and of the atoms themselves: a symbol may
+stand inside and outside of a sine.
+
+`CircleChart` keeps (c, s) with s^2 = 1 - c^2: no denominators, fast, right where no radicals are.
+`TangentChart` uses t = tan(u/2). Its polynomials factor uniquely (those on the circle do not:
+s s = (1 - c)(1 + c)), which is what taking square roots and absolute values needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import sympy as sp
+
+from omniproof.audit.balls import WorkLimitError
+from omniproof.audit.constant_field import ConstantField
+from omniproof.audit.quotient_ring import Polynomial, QuotientRing
+
+LARGEST_MULTIPLE = 120
+
+TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+
+
+@dataclass(frozen=True)
+class Angle:
+    """Sum of rational multiples of atoms, plus `turns` times pi."""
+
+    multiples: Mapping[sp.Expr, sp.Rational]
+    turns: sp.Rational
+
+
+class CosineSine(Protocol):
+    """A chart writes cos and sin of an angle as numerators over one denominator."""
+
+    def cosine_sine(self, angle: Angle) -> tuple[Polynomial, Polynomial, Polynomial]:
+        """Return (C, S, D) with cos = C/D and sin = S/D."""
+        ...  # pragma: no cover
+
+
+def read_angle(argument: sp.Expr) -> Angle:
+    """Split the argument of a trigonometric function into atoms and a multiple of pi."""
+    multiples: dict[sp.Expr, Any] = {}
+    turns = sp.Integer(0)
+    for term in sp.Add.make_args(sp.expand(argument)):
+        factor, atom = term.as_coeff_Mul()
+        if atom is sp.pi:
+            turns += factor
+        elif factor != 0:
+            multiples[atom] = multiples.get(atom, sp.Integer(0)) + factor
+    return Angle({atom: factor for atom, factor in multiples.items() if factor != 0}, turns)
+
+
+class CircleChart:
+    """Generators c_k, s_k = cos, sin of atom_k / denominator_k."""
+
+    def __init__(
+        self, ring: QuotientRing, constants: ConstantField, denominators: Mapping[sp.Expr, int]
+    ) -> None:
+        self.ring, self.constants, self.denominators = ring, constants, denominators
+        self.points: dict[sp.Expr, tuple[Polynomial, Polynomial, Polynomial]] = {}
+        for place, atom in enumerate(denominators):
+            cosine, sine = ring.generators[f"c{place}"], ring.generators[f"s{place}"]
+            ring.relate(f"s{place}", sine**2 + cosine**2 - 1)
+            self.points[atom] = cosine, sine, ring.one
+
+    @staticmethod
+    def names(count: int) -> list[str]:
+        """Name the generators of `count` atoms, the highest first."""
+        return [f"s{place}" for place in range(count)] + [f"c{place}" for place in range(count)]
+
+    def cosine_sine(self, angle: Angle) -> tuple[Polynomial, Polynomial, Polynomial]:
+        """Return (C, S, D) with cos = C/D and sin = S/D, by de Moivre's formula."""
+        cosine = self.constants.cosine(angle.turns)
+        sine, denominator = self.constants.sine(angle.turns), self.ring.one
+        for atom, factor in angle.multiples.items():
+            count = int(factor * self.denominators[atom])
+            if abs(count) > LARGEST_MULTIPLE:
+                raise WorkLimitError(
+                    f"{count} times an angle is more than {LARGEST_MULTIPLE} times"
+                )
+            c, s, d = self.points[atom]
+            for _ in range(abs(count)):
+                cosine, sine = self._turn(cosine, sine, c, s if count > 0 else -s)
+            denominator = denominator * d ** abs(count)
+        return cosine, sine, denominator
+
+    def _turn(
+        self, cosine: Polynomial, sine: Polynomial, c: Polynomial, s: Polynomial
+    ) -> tuple[Polynomial, Polynomial]:
+        """Add the angle of the point (c, s)."""
+        times = self.ring.times
+        return times(cosine, c) - times(sine, s), times(cosine, s) + times(sine, c)
+
+
+class TangentChart(CircleChart):
+    """Generators t_k = tan(atom_k / (2 denominator_k)); cos = (1 - t^2)/(1 + t^2)."""
+
+    def __init__(
+        self, ring: QuotientRing, constants: ConstantField, denominators: Mapping[sp.Expr, int]
+    ) -> None:
+        self.ring, self.constants, self.denominators = ring, constants, denominators
+        self.points = {}
+        for place, atom in enumerate(denominators):
+            t = ring.generators[f"t{place}"]
+            self.points[atom] = 1 - t**2, 2 * t, 1 + t**2
+
+    @staticmethod
+    def names(count: int) -> list[str]:
+        """Name the generators of `count` atoms."""
+        return [f"t{place}" for place in range(count)]

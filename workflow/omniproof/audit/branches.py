@@ -1,0 +1,104 @@
+"""Where a formula with absolute values and roots is true: from sign patterns to a condition.
+
+The normal form tells exactly for which signs of the irreducible factors a formula vanishes. A
+reader wants that as "where sin x >= 0", in terms of what is printed. So the parts of the formula
+are tried, alone, as products and together: each that is a product of the same factors has its sign
+on every pattern, and it is the condition if it is positive on just the patterns that are true.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from math import prod
+
+import sympy as sp
+
+from omniproof.audit.angles import TRIGONOMETRIC
+from omniproof.audit.normal_form import NormalForm, Signs
+
+MOST_PARTS = 14
+MOST_TOGETHER = 3
+
+
+@dataclass(frozen=True)
+class Condition:
+    """Formulas that must all be positive (or zero, where the identity is defined there)."""
+
+    parts: tuple[sp.Expr, ...]
+    strict: bool
+
+    @property
+    def relations(self) -> tuple[sp.Basic, ...]:
+        """Write the condition as SymPy relations."""
+        kind = sp.StrictGreaterThan if self.strict else sp.GreaterThan
+        return tuple(kind(part, 0, evaluate=False) for part in self.parts)
+
+    @property
+    def latex(self) -> str:
+        r"""Write the condition as LaTeX, parts joined by `\text{ and }`."""
+        sign = ">" if self.strict else r"\geq"
+        return r" \text{ and } ".join(f"{sp.latex(part)} {sign} 0" for part in self.parts)
+
+
+@dataclass(frozen=True)
+class _Part:
+    expression: sp.Expr
+    sign: int
+    places: frozenset[str]
+
+    def on(self, signs: Signs) -> int:
+        return self.sign * prod(signs[place] for place in self.places)
+
+
+def find_condition(form: NormalForm, expression: sp.Expr) -> Condition | None:
+    """Find the condition under which a formula vanishes; None when it is not in its own terms."""
+    patterns = list(form.patterns())
+    truth = [true for _, true in patterns]
+    if all(truth) or not any(truth):
+        return None
+    parts = list(_parts(form, expression))
+    for count in range(1, MOST_TOGETHER + 1):
+        for chosen in combinations(parts, count):
+            if [all(p.on(signs) > 0 for p in chosen) for signs, _ in patterns] == truth:
+                return Condition(tuple(p.expression for p in chosen), _is_strict(form, chosen))
+    return None
+
+
+def _parts(form: NormalForm, expression: sp.Expr) -> Iterator[_Part]:
+    """Yield parts of the formula, positive and negative, with different sign patterns."""
+    seen: set[tuple[int, frozenset[str]]] = set()
+    for candidate in _candidates(expression):
+        pattern = form.sign_pattern(candidate)
+        if pattern is None or not pattern[1] or pattern in seen:
+            continue
+        sign, places = pattern
+        seen |= {(sign, places), (-sign, places)}
+        yield _Part(candidate, sign, places)
+        yield _Part(-candidate, -sign, places)
+        if len(seen) >= 2 * MOST_PARTS:
+            return
+
+
+def _candidates(expression: sp.Expr) -> Iterator[sp.Expr]:
+    """Yield what a reader would name: arguments of |.|, functions, symbols, sums, products."""
+    nodes = [node for node in sp.preorder_traversal(expression) if isinstance(node, sp.Expr)]
+    absolute = [node.args[0] for node in nodes if isinstance(node, (sp.Abs, sp.sign))]
+    simple = [n for n in nodes if n.free_symbols and (n.is_Symbol or isinstance(n, TRIGONOMETRIC))]
+    sums = [node for node in nodes if node.is_Add and node.free_symbols]
+    known = list(dict.fromkeys([*absolute, *simple]))
+    yield from known
+    yield from (left * right for left, right in combinations(known[:8], 2))
+    yield from dict.fromkeys(sums)
+
+
+def _is_strict(form: NormalForm, parts: Sequence[_Part]) -> bool:
+    """Whether the formula is undefined where a part is zero: a factor of it is in a denominator."""
+    denominator = form.fraction.denominator
+    ring = form.converter.ring
+    for name in frozenset().union(*(part.places for part in parts)):
+        factor = form.basis.factors[int(name[1:])].project_to_context(ring.context)
+        if denominator.gcd(factor) != 1:
+            return True
+    return False

@@ -1,0 +1,82 @@
+"""Rational points of a domain: small denominators, so that a reader can check a witness by hand.
+
+The choice is seeded and depends on nothing but the symbols' names and their domain, so that a
+ledger has the same bytes on every machine.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from flint import fmpq
+
+from omniproof.audit.answer import REALS, Domain
+from omniproof.audit.balls import Ball, UnsupportedError, evaluate, rational_ball
+
+REACH = 6  # length of the interval in which an unbounded symbol is sampled
+DENOMINATORS = range(3, 14)
+
+Sample = dict[sp.Symbol, fmpq]
+
+
+def sample_points(
+    symbols: Iterable[sp.Symbol], domain: Domain = REALS, *, count: int = 40, seed: int = 0
+) -> Iterator[Sample]:
+    """Yield up to `count` rational points inside the domain; one empty point without symbols.
+
+    Raises `UnsupportedError` when an interval is empty or its end points are not numbers.
+    """
+    ordered = sorted(symbols, key=str)
+    ranges = {symbol: _Range(*bounds(symbol, domain)) for symbol in ordered}
+    generator = random.Random(seed)  # noqa: S311 - points, not secrets
+    for _ in range(count if ranges else 1):
+        yield {symbol: interval.draw(generator) for symbol, interval in ranges.items()}
+
+
+def bounds(symbol: sp.Symbol, domain: Domain = REALS) -> tuple[Any, Any]:
+    """Return the finite interval in which a symbol is sampled, from its sign and the domain."""
+    lower, upper = map(_exact, domain.intervals.get(symbol.name, (-sp.oo, sp.oo)))
+    if symbol.is_nonnegative:
+        lower = sp.Max(lower, 0)
+    if symbol.is_nonpositive:
+        upper = sp.Min(upper, 0)
+    if lower == -sp.oo:
+        lower = sp.Integer(-REACH) / 2 if upper == sp.oo else upper - REACH
+        upper = sp.Integer(REACH) / 2 if upper == sp.oo else upper
+    return lower, lower + REACH if upper == sp.oo else upper
+
+
+def _exact(end: Any) -> Any:
+    return sp.Integer(end) if isinstance(end, int) else end
+
+
+@dataclass(frozen=True)
+class _Range:
+    """An open interval with exact end points."""
+
+    lower: Any
+    upper: Any
+
+    def draw(self, generator: random.Random) -> fmpq:
+        """Pick a rational that is certain to lie strictly inside; zero is avoided."""
+        low, high = evaluate(self.lower), evaluate(self.upper)
+        if not low < high:
+            raise UnsupportedError(f"the interval ({self.lower}, {self.upper}) is empty")
+        left, right = float(low.mid()), float(high.mid())
+        denominator = generator.choice(DENOMINATORS)
+        while denominator < 2**40:
+            numerator = generator.randint(int(left * denominator) - 1, int(right * denominator) + 1)
+            value = fmpq(numerator, denominator)
+            if numerator and _strictly_between(low, value, high):
+                return value
+            denominator += 1 if (right - left) * denominator > 4 else denominator
+        raise UnsupportedError(f"no short rational was found in ({self.lower}, {self.upper})")
+
+
+def _strictly_between(low: Ball, value: fmpq, high: Ball) -> bool:
+    ball = rational_ball(value)
+    return bool(low < ball) and bool(ball < high)
