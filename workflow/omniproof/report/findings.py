@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterable, Sequence
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, to_csv
+from omniproof.report.latexfmt import is_latex
 from omniproof.transcription.model import Source, Uncheckable
 
 REACH = (Consequence.MOTION, Consequence.NUMBER, Consequence.TEXT, Consequence.NONE)
@@ -34,13 +35,21 @@ def consequential(ledgers: Iterable[Ledger], limit: int) -> tuple[Row, ...]:
     return tuple(sorted(rows, key=lambda row: REACH.index(row.consequence))[:limit])
 
 
-def sentence(row: Row) -> str:
-    """Return one sentence on a finding: the note's first, else what is printed and what is true."""
-    if row.note:
-        head, stop, _ = row.note.partition(". ")
-        return head + (stop.strip() or "")
-    correct = row.correction or row.derived
-    return f"printed ${row.printed}$, should read ${correct}$" if correct else row.printed
+def sentence(row: Row, *, short: bool = False) -> str:
+    """Return one sentence on a finding: what is printed and what is true, else its note.
+
+    `short`: leave out printed words (a printed formula stays).
+    """
+    printed = "" if short and not is_latex(row.printed) else f"{_quoted(row.printed)} "
+    if row.correction:
+        return f"{printed}should read {_quoted(row.correction)}"
+    if row.assumption:
+        return f"{printed}holds only when {_quoted(row.assumption)}"
+    return row.note or row.printed
+
+
+def _quoted(text: str) -> str:
+    return f"${text}$" if is_latex(text) else text
 
 
 def uncheckable_class(row: Row) -> str:

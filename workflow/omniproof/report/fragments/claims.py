@@ -87,7 +87,7 @@ def group_html(group: Group, href: Href, *, addressed: bool) -> str:
 
 
 def matrix_html(group: Group) -> str:
-    """Return the matrix as printed, with a box around every entry that is not verified."""
+    """Return the matrix as printed, with a box around every entry that has a fault."""
     cells = {index(row.id): row for row in group.rows}
     if not all(place and all(part.isdigit() for part in place) for place in cells):
         return ""
@@ -105,7 +105,7 @@ def matrix_html(group: Group) -> str:
 
 
 def _boxed(row: Row) -> str:
-    return row.printed if row.verdict is Verdict.VERIFIED else rf"\boxed{{{row.printed}}}"
+    return rf"\boxed{{{row.printed}}}" if row.verdict.is_fault else row.printed
 
 
 def row_html(row: Row, href: Href, *, addressed: bool = True) -> str:
@@ -148,7 +148,7 @@ def _facts(row: Row, href: Href) -> Sequence[tuple[str, str]]:
         ("consequence", CONSEQUENCES.get(row.consequence, "")),
         ("source", SOURCES.get(row.source, "")),
         ("read as", READINGS.get(row.reading, "")),
-        ("decided by", engines_words(row)),
+        ("decided by", decided_by(row)),
         ("address", f'<a class="address" href="{_own(row, href)}">{escape(row.id)}</a>'),
     )
 
@@ -157,11 +157,16 @@ def _own(row: Row, href: Href) -> str:
     return escape(href(row.id) or f"#{anchor(row.id)}")
 
 
-def engines_words(row: Row) -> str:
-    """Return who decided, in words: `FLINT, modular arithmetic, Z3`, or a person's reading."""
+def decided_by(row: Row) -> str:
+    """Return who decided a row: its engines, or a person who read the place."""
     if row.engines:
-        return escape(", ".join(ENGINES.get(name, name) for name in row.engines.split("+")))
+        return engine_names(row.engines)
     return "reading" if row.origin is Origin.READ else ""
+
+
+def engine_names(engines: str) -> str:
+    """Return `flint+modular+z3` in words: `FLINT, modular arithmetic, Z3`."""
+    return escape(", ".join(ENGINES.get(name, name) for name in engines.split("+")))
 
 
 def witness_html(witness: str) -> str:

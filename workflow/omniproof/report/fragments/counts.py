@@ -49,7 +49,9 @@ def accounting_html(ledgers: Sequence[Ledger], *, linked: bool = False) -> str:
             )
             body.append(f"<tr><td>{badge(verdict)}</td>{cells}<td>{mark.meaning}</td></tr>")
     body.append(_sums(ledgers))
-    return bars + table(["verdict", *names, "meaning"], body, "accounting")
+    claims = "; ".join(f"{ledger.claims} claims in {ledger.paper}" for ledger in ledgers)
+    remark = f'<p class="quiet">{claims}. A matrix is one claim, with a row for each entry.</p>'
+    return bars + table(["verdict", *names, "meaning"], body, "accounting") + remark
 
 
 def _name(paper: str, linked: bool) -> str:
@@ -61,6 +63,4 @@ def _sums(ledgers: Sequence[Ledger]) -> str:
         f'<td class="number" data-paper="{ledger.paper}" data-verdict="all">{len(ledger.rows)}</td>'
         for ledger in ledgers
     )
-    claims = "; ".join(f"{ledger.claims} claims" for ledger in ledgers)
-    remark = f"rows: {claims}, matrices counted entry by entry"
-    return f'<tr class="sum"><td>all</td>{rows}<td>{remark}</td></tr>'
+    return f'<tr class="sum"><td>all</td>{rows}<td>every row has one verdict</td></tr>'

@@ -95,7 +95,7 @@ class Overview:
         ]
         if not rows:
             return Fragment("<p>None.</p>", "no findings")
-        head = ["place", "verdict", "printed", "correct", "consequence", "remark"]
+        head = ["place", "printed and correct", "remark"]
         return Fragment(table(head, map(_finding, rows), "findings"), "findings")
 
     def verdicts(self) -> Fragment:
@@ -119,8 +119,16 @@ def _finding(row: Row) -> str:
         target = f"{row.paper}.html#{anchor(row.follows)}"
         follows = f" Follows from {link(row.follows, lambda _: target)}."
     consequence = CONSEQUENCES.get(row.consequence, "")
+    correct = row.correction or row.derived
     return (
-        f'<tr class="v-{row.verdict}"><td>{_place(row)}</td><td>{badge(row.verdict)}</td>'
-        f"<td>{cell(row.printed)}</td><td>{cell(row.correction or row.derived)}</td>"
-        f"<td>{consequence}</td><td>{inline(row.note)}{follows}</td></tr>"
+        f'<tr class="v-{row.verdict}"><td>{_place(row)}<br>{badge(row.verdict)}</td>'
+        f"<td>{_line('printed', row.printed)}{_line('correct', correct)}</td>"
+        f"<td><p>{inline(row.note)}{follows}</p>"
+        f'<p class="quiet">{consequence}</p></td></tr>'
     )
+
+
+def _line(word: str, text: str) -> str:
+    if not text:
+        return ""
+    return f'<p class="line"><span class="quiet">{word}</span> {cell(text)}</p>'

@@ -14,6 +14,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from pydantic import BaseModel, ConfigDict
 
 from omniproof.report.anchors import anchor
+from omniproof.report.fragments.claims import engine_names
 from omniproof.report.latexfmt import math
 
 
@@ -61,8 +62,7 @@ def theorem_html(theorem: Theorem) -> str:
 
 
 def _engines(engines: str) -> str:
-    names = ", ".join(engines.split("+"))
-    return f'<p class="engines">checked by {escape(names)}</p>' if engines else ""
+    return f'<p class="engines">checked by {engine_names(engines)}</p>' if engines else ""
 
 
 def markdown(text: str) -> str:
