@@ -66,7 +66,7 @@ class _Scope:
     def number(self, node: tree.Node) -> Expr:
         """The value of a node that has to be a number."""
         value = self.value(node)
-        if not isinstance(value, Expr):
+        if not _is_scalar(value):
             self.refuse(node, f"expected a number, found {_kind(value)}")
         return value
 
@@ -106,7 +106,7 @@ def _kind(value: Value) -> str:
     if isinstance(value, MatrixBase):
         rows, columns = value.shape
         return f"a vector of {rows}" if columns == 1 else f"a {rows}×{columns} matrix"
-    if isinstance(value, Expr):
+    if _is_scalar(value):
         return "a number"
     return "a list" if isinstance(value, tuple) else "a statement"
 
@@ -127,7 +127,7 @@ def _applied(scope: _Scope, node: tree.Applied) -> Value:
     """A quantity as it is defined; a function of its arguments is called with them."""
     meaning = _name(scope, node)
     if isinstance(meaning, MatrixBase) or (
-        isinstance(meaning, Expr) and not isinstance(meaning, sympy.Lambda)
+        _is_scalar(meaning) and not isinstance(meaning, sympy.Lambda)
     ):
         return meaning
     return meaning(*(scope.value(argument) for argument in node.arguments))
@@ -159,6 +159,11 @@ def _times(scope: _Scope, node: tree.Node, left: Value, right: Value) -> Value:
 def _product(scope: _Scope, node: tree.Product) -> Value:
     values = (scope.value(factor) for factor in node.factors)
     return reduce(lambda left, right: _times(scope, node, left, right), values)
+
+
+def _is_scalar(value: Value) -> bool:
+    """Whether a value is a number; SymPy's immutable matrices are expressions too."""
+    return isinstance(value, Expr) and not isinstance(value, MatrixBase)
 
 
 def _is_vector(value: Value) -> bool:
@@ -200,7 +205,7 @@ def _quotient(scope: _Scope, node: tree.Quotient) -> Value:
 
 def _power(scope: _Scope, node: tree.Power) -> Value:
     base = scope.value(node.base)
-    if isinstance(base, Expr):
+    if _is_scalar(base):
         if base == 0 and node.exponent < 0:
             scope.refuse(node, "cannot divide by 0")
         return base**node.exponent
@@ -233,7 +238,7 @@ def _call(scope: _Scope, node: tree.Call) -> Value:
 
 def _norm(scope: _Scope, node: tree.Norm) -> Value:
     value = scope.value(node.operand)
-    if isinstance(value, Expr):
+    if _is_scalar(value):
         return sympy.Abs(value)
     return sympy.sqrt(sum(entry**2 for entry in scope.vector(node.operand)))
 
@@ -258,7 +263,7 @@ def _tuple(scope: _Scope, node: tree.Tuple) -> Value:
     values = tuple(scope.value(item) for item in node.items)
     if node.kind == "set" or any(not isinstance(value, Expr | MatrixBase) for value in values):
         return values
-    if all(isinstance(value, Expr) for value in values):
+    if all(_is_scalar(value) for value in values):
         return ImmutableMatrix(values)
     if not all(_is_vector(value) and value.shape == values[0].shape for value in values):
         scope.refuse(node, "expected numbers only, or vectors of one length only")
@@ -272,10 +277,10 @@ def _matrix(scope: _Scope, node: tree.MatrixLiteral) -> Value:
         for entry, value in zip(printed, row, strict=True):
             if not isinstance(value, Expr | MatrixBase):
                 scope.refuse(entry, f"expected a number, found {_kind(value)}")
-    if all(isinstance(value, Expr) for row in rows for value in row):
+    if all(_is_scalar(value) for row in rows for value in row):
         return ImmutableMatrix(rows)
     try:
-        blocks = [[sympy.Matrix([[v]]) if isinstance(v, Expr) else v for v in row] for row in rows]
+        blocks = [[sympy.Matrix([[v]]) if _is_scalar(v) else v for v in row] for row in rows]
         return ImmutableMatrix.vstack(*(ImmutableMatrix.hstack(*row) for row in blocks))
     except sympy.ShapeError:
         return scope.refuse(node, "the parts of the matrix do not fit together")
