@@ -90,8 +90,8 @@ def _characteristic(
 ) -> list[Polynomial]:
     """Return the coefficients of Q, where T^m Q is the product of T - F' over all sign choices.
 
-    The lowest comes first, and is not zero. `roots` go from the outermost to the innermost: conjugating one leaves no trace of it, and the
-    radicands of the others do not mention it.
+    The lowest comes first, and is not zero. `roots` go from the outermost to the innermost:
+    conjugating one leaves no trace of it, and the radicands of the others do not mention it.
     """
     product = [-polynomial, ring.one]
     used = 0
