@@ -10,6 +10,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import replace
 
 from omniproof.transcription.symbols import SymbolReader
 from omniproof.transcription.tokens import FUNCTIONS, MAX_DEPTH, LatexError
@@ -188,7 +189,8 @@ class AtomReader(SymbolReader, ABC):
         opened = self.place
         if opened not in self.brackets:
             items = self.enclosed_items()
-            node = items[0] if len(items) == 1 else Tuple(items, span=self.since(start))
+            span = self.since(start)
+            node = replace(items[0], span=span) if len(items) == 1 else Tuple(items, span=span)
             self.brackets[opened] = node, self.place
         node, self.place = self.brackets[opened]
         return node
@@ -208,7 +210,8 @@ class AtomReader(SymbolReader, ABC):
     def group(self, start: int) -> Node:
         """group = "{" statement "}"."""
         with self.sealed(), self.enclosed():
-            return self.statement()
+            node = self.statement()
+        return replace(node, span=self.since(start))
 
     def braces(self, start: int) -> Node:
         r"""braces = "\{" items ["\mid" items] "\}"."""
@@ -222,7 +225,7 @@ class AtomReader(SymbolReader, ABC):
         if conditions:
             self.refuse("expected one element before `\\mid`", start, "put it into brackets")
         if len(items) == 1:
-            return items[0]
+            return replace(items[0], span=self.since(start))
         return Tuple(items, "set", span=self.since(start))
 
     def between_bars(self, start: int) -> Node:

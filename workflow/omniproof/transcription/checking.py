@@ -191,9 +191,15 @@ class Check:
             start += len(fragment) + 1
         self.fault(path, error.picture, error.cure)
 
+    def printed_ids(self) -> set[str]:
+        """The ids of all claims in the file, those with faults included."""
+        listed = self.values.get("claims", []) if isinstance(self.values, dict) else []
+        found = (entry.get("id", "") for entry in listed if isinstance(entry, dict))
+        return {claim for claim in found if isinstance(claim, str)}
+
     def check_pointers(self) -> None:
         """What a claim points to is a claim, or a place that has claims."""
-        ids = set(self.positions)
+        ids = set(self.positions) | self.printed_ids()
         wholes = {_whole(claim) for claim in ids}
         for i, claim in self.claims.items():
             for k, other in enumerate(claim.agrees_with):

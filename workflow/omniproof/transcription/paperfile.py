@@ -161,8 +161,9 @@ class _Builder:
                 yield "expected one document, found a second one", "put each paper into its folder"
 
     def fault(self, place: Place, message: str, cure: str) -> None:
-        path = show_path(self.stack[-1].path) if self.stack else ""
-        self.faults.append(Fault(self.name, *place, path, message, cure))
+        top = self.stack[-1] if self.stack else _Open([], ())
+        path = (*top.path, top.key) if top.key else top.path
+        self.faults.append(Fault(self.name, *place, show_path(path), message, cure))
 
     def scalar(self, text: str, place: Place) -> None:
         top = self.stack[-1] if self.stack else None

@@ -1,0 +1,51 @@
+"""The printed LaTeX of one entry of a matrix or vector."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from omniproof.transcription.tree import MatrixLiteral, Node, Tuple, walk
+
+
+def entry_source(
+    text: str, node: Node, index: Sequence[int], shape: tuple[int, int] | None = None
+) -> str | None:
+    """Return entry `index` (one or two numbers from 1) of the matrix or vector in a tree, verbatim.
+
+    `text` is what `node` was read from; `shape` (rows, columns) narrows the choice. `None` where
+    no printed matrix has such an entry, or more than one.
+    """
+    found = [grid for grid in map(_grid, walk(node)) if grid and _fits(grid, index, shape)]
+    if len(found) != 1:
+        return None
+    entry = _entry(found[0], index)
+    return text[entry.span[0] : entry.span[1]]
+
+
+def _grid(node: Node) -> tuple[tuple[Node, ...], ...]:
+    """The rows of a printed matrix; a tuple is a column. Anything else has none."""
+    if isinstance(node, MatrixLiteral):
+        return node.rows
+    if isinstance(node, Tuple) and node.kind == "tuple":
+        return tuple((item,) for item in node.items)
+    return ()
+
+
+def _fits(
+    grid: tuple[tuple[Node, ...], ...], index: Sequence[int], shape: tuple[int, int] | None
+) -> bool:
+    rows, columns = len(grid), len(grid[0])
+    if shape is not None and shape not in {
+        (rows, columns),
+        (columns, rows)[:: 1 if rows > 1 else -1],
+    }:
+        return False
+    if len(index) == 1:
+        return 1 in (rows, columns) and 1 <= index[0] <= max(rows, columns)
+    return min(rows, columns) > 1 and 1 <= index[0] <= rows and 1 <= index[1] <= columns
+
+
+def _entry(grid: tuple[tuple[Node, ...], ...], index: Sequence[int]) -> Node:
+    if len(index) == 1:
+        return [entry for row in grid for entry in row][index[0] - 1]
+    return grid[index[0] - 1][index[1] - 1]
