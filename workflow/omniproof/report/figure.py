@@ -1,0 +1,67 @@
+"""A figure as a record: what it is called, its data in long form, and how the data are drawn.
+
+Drawing gets the data frame and nothing else, so the CSV beside a picture is what the picture shows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+from numpy.typing import ArrayLike, NDArray
+
+Floats: TypeAlias = NDArray[np.float64]
+Row: TypeAlias = tuple[str, str, float, float, float]
+
+COLUMNS = ["panel", "series", "x", "y", "z"]
+NOISE = 1e-12
+"""Coordinates nearer to zero than this are zero: else their last bits get into the file."""
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """One figure: `data` gives the frame (`COLUMNS`), `draw` draws it, `describe` says it in words.
+
+    `caption` says how the figure was made; `describe` gets the frame, so that numbers in the alt
+    text are those drawn.
+    """
+
+    number: int
+    title: str
+    caption: str
+    data: Callable[[], pd.DataFrame]
+    draw: Callable[[pd.DataFrame], Figure]
+    describe: Callable[[pd.DataFrame], str]
+
+    @property
+    def alt(self) -> str:
+        """What one sees, in one or two sentences."""
+        return self.describe(self.data())
+
+
+def rows(panel: str, series: str, points: ArrayLike) -> Iterator[Row]:
+    """Yield the rows of one series; `points` is M x 2 (z stays empty) or M x 3."""
+    for point in np.atleast_2d(np.asarray(points, dtype=np.float64)):
+        x, y, *rest = (0.0 if abs(value) < NOISE else float(value) for value in point)
+        yield panel, series, x, y, rest[0] if rest else float("nan")
+
+
+def long_form(*parts: Iterable[Row]) -> pd.DataFrame:
+    """Return the rows of all parts as one frame with the columns `COLUMNS`."""
+    return pd.DataFrame([row for part in parts for row in part], columns=COLUMNS)
+
+
+def points(frame: pd.DataFrame, panel: str, series: str) -> Floats:
+    """Return the points of one series of one panel: M x 2, or M x 3 where z is given.
+
+    Raises `KeyError` when there is no such series.
+    """
+    chosen = frame[(frame["panel"] == panel) & (frame["series"] == series)]
+    if chosen.empty:
+        raise KeyError(f"no series {series!r} in panel {panel!r}")
+    axes: list[Any] = ["x", "y"] if chosen["z"].isna().all() else ["x", "y", "z"]
+    return chosen[axes].to_numpy(dtype=np.float64)
