@@ -3,7 +3,9 @@ This part of the workflow judges what papers print.
 
 REQUIRED INPUTS:
     data        = paper_data/{paper}/*
-    derivations = workflow/omniproof/papers/{paper}/derivations.py
+    readings    = workflow/omniproof/papers/{paper}/readings.yaml
+    derivations = workflow/omniproof/papers/{paper}/derivations*
+    papers      = workflow/omniproof/papers/{paper}/theorems*
 
 OUTPUTS:
     checked  = results/checked/{paper}.json
@@ -17,6 +19,7 @@ rule check:
     """Check what was transcribed from {wildcards.paper}"""
     input:
         data=lambda wildcards: paper_data(wildcards.paper),
+        readings=lambda wildcards: readings_of(wildcards.paper),
         derivations=lambda wildcards: paper_module(wildcards.paper, "derivations"),
         package=package("audit.run"),
     output:
@@ -35,6 +38,7 @@ rule audit:
     input:
         checked="results/checked/{paper}.json",
         data=lambda wildcards: paper_data(wildcards.paper),
+        readings=lambda wildcards: readings_of(wildcards.paper),
         derivations=lambda wildcards: paper_module(wildcards.paper, "derivations"),
         package=package("audit.run", "audit.ledger"),
     output:
@@ -70,7 +74,7 @@ rule ledger:
 rule theorems:
     """Prove what no paper prints"""
     input:
-        papers=[file for paper in settings.papers for file in paper_module(paper, "theorems")],
+        papers=theorems_of(*settings.papers),
         package=package("audit.theorems"),
     output:
         theorems=report(

@@ -46,6 +46,7 @@ rule validate:
     input:
         index="book/_build/html/index.html",
         ledgers=ledgers_of(*settings.papers),
+        figures=figures_of(*settings.papers),
         package=package("report.validate"),
     output:
         validation="results/validation.txt",

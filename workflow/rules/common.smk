@@ -40,9 +40,20 @@ def paper_module(paper, *modules):
 
 
 def paper_data(paper):
-    """Return what the paper prints, and what was decided by reading it."""
-    readings = Path("workflow/omniproof/papers", module_name(paper)).glob("*.yaml")
-    return sorted(map(str, [*Path("paper_data", paper).iterdir(), *readings]))
+    """Return the files that say what a paper prints."""
+    return sorted(map(str, Path("paper_data", paper).iterdir()))
+
+
+def theorems_of(*papers):
+    """Return the source files of the papers' theorems; a paper may have none."""
+    folders = {paper: Path("workflow/omniproof/papers", module_name(paper)) for paper in papers}
+    proved = [paper for paper, folder in folders.items() if any(folder.glob("theorems*"))]
+    return sorted({file for paper in proved for file in paper_module(paper, "theorems")})
+
+
+def readings_of(paper):
+    """Return what was decided about a paper by reading it."""
+    return sorted(map(str, Path("workflow/omniproof/papers", module_name(paper)).glob("*.yaml")))
 
 
 def ledgers_of(*papers):
@@ -68,9 +79,28 @@ def figures_of(*papers, suffix="svg"):
     ]
 
 
+def abouts_of(*papers):
+    """Return what is said of the figures of papers: titles, captions, alt texts."""
+    return [f"results/figures/{paper}/figures.json" for paper in papers]
+
+
 def papers_of(chapter):
     """Return the papers that a chapter tells: its own, or all for a chapter about all."""
     return [chapter] if chapter in settings.papers else list(settings.papers)
+
+
+def reported(kind, paper, numbers, files):
+    """Enter the tables or figures of a paper in Snakemake's report, with caption and labels."""
+
+    def entry(number, file):
+        return report(
+            file,
+            caption=f"../report/{kind}.rst",
+            category=f"{kind.capitalize()}s",
+            labels={"paper": paper, kind: str(number)},
+        )
+
+    return list(map(entry, numbers, files))
 
 
 def book_sources():

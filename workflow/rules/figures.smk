@@ -2,12 +2,12 @@
 This part of the workflow draws the figures of papers from computed data.
 
 REQUIRED INPUTS:
-    drawings = workflow/omniproof/papers/{paper}/figures.py
+    drawings = workflow/omniproof/papers/{paper}/figures*
 
 OUTPUTS:
     pictures = results/figures/{paper}/figure-{number}.svg
     data     = results/figures/{paper}/figure-{number}.csv
-    index    = results/figures/{paper}/figures.json
+    abouts   = results/figures/{paper}/figures.json
 """
 
 # One rule a paper, since papers differ in how many figures they have.
@@ -21,17 +21,9 @@ for paper, made in settings.papers.items():
             drawings=paper_module(paper, "figures"),
             package=package("report.drawing"),
         output:
-            pictures=[
-                report(
-                    picture,
-                    caption="../report/figure.rst",
-                    category="Figures",
-                    labels={"paper": paper, "figure": str(number)},
-                )
-                for number, picture in zip(made.figures, figures_of(paper), strict=True)
-            ],
+            pictures=reported("figure", paper, made.figures, figures_of(paper)),
             data=figures_of(paper, suffix="csv"),
-            index=f"results/figures/{paper}/figures.json",
+            abouts=abouts_of(paper),
         params:
             paper=paper,
         log:

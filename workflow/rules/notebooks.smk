@@ -7,6 +7,7 @@ REQUIRED INPUTS:
     theorems = results/theorems.json
     tables   = results/tables/{paper}/table-{number}.csv
     figures  = results/figures/{paper}/figure-{number}.svg
+    abouts   = results/figures/{paper}/figures.json
 
 OUTPUTS:
     chapter = results/notebooks/{chapter}.ipynb
@@ -21,6 +22,7 @@ rule notebook:
         theorems="results/theorems.json",
         tables=lambda wildcards: tables_of(*papers_of(wildcards.chapter)),
         figures=lambda wildcards: figures_of(*papers_of(wildcards.chapter)),
+        abouts=lambda wildcards: abouts_of(*papers_of(wildcards.chapter)),
         package=package("report.notebook", "report.fragments"),
     output:
         chapter="results/notebooks/{chapter}.ipynb",

@@ -21,15 +21,7 @@ for paper, made in settings.papers.items():
             data=paper_data(paper),
             package=package("report.tables"),
         output:
-            tables=[
-                report(
-                    table,
-                    caption="../report/table.rst",
-                    category="Tables",
-                    labels={"paper": paper, "table": str(number)},
-                )
-                for number, table in zip(made.tables, tables_of(paper), strict=True)
-            ],
+            tables=reported("table", paper, made.tables, tables_of(paper)),
         params:
             paper=paper,
             numbers=made.tables,

@@ -8,5 +8,6 @@ from omniproof.report.validate import validate_book
 
 with step(snakemake) as output:
     ledgers = [read_json(Path(path)) for path in snakemake.input.ledgers]
-    validate_book(Path(snakemake.input.index).parent, ledgers)
+    figures = map(Path, snakemake.input.figures)
+    validate_book(Path(snakemake.input.index).parent, ledgers, figures)
     output.validation.write_text("valid\n")

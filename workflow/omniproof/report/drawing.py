@@ -3,45 +3,50 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
 
 from omniproof.report.figure import Drawing
 from omniproof.report.svg import save_figure
 
-DIGITS = "%.12g"  # fewer than a double holds: its last bits differ between processors
+DIGITS = "%.12g"
+"""Fewer than a double holds: its last bits differ between processors."""
 
 
-def load_figures(paper: str) -> tuple[Drawing, ...]:
-    """Return the figures of a paper, in order of their numbers, from its module `figures`.
+def load_figures(paper: str) -> Mapping[int, Drawing]:
+    """Return the figures of a paper by number, from its module `figures`.
 
     Raises `ModuleNotFoundError` when the paper has none.
     """
     module = import_module(f"omniproof.papers.{paper.replace('-', '_')}.figures")
-    return tuple(sorted(module.FIGURES, key=lambda drawing: drawing.number))
+    figures: Mapping[int, Drawing] = module.FIGURES
+    return figures
 
 
 def write_figures(paper: str, folder: Path) -> None:
     """Write `figure-N.svg` and `figure-N.csv` for each figure of a paper, and `figures.json`.
 
-    The JSON file has one record a figure: number, title, alt text and caption.
+    The JSON file has a record for each figure: number, title, alt text and caption.
     """
-    drawings = load_figures(paper)
-    for drawing in drawings:
-        frame = drawing.data()
-        stem = folder / f"figure-{drawing.number}"
-        frame.to_csv(
-            stem.with_suffix(".csv"), index=False, float_format=DIGITS, lineterminator="\n"
-        )
-        save_figure(drawing.draw(frame), stem.with_suffix(".svg"))
     records = [
-        {
-            "number": drawing.number,
-            "title": drawing.title,
-            "alt": drawing.alt,
-            "caption": drawing.caption,
-        }
-        for drawing in drawings
+        _write(drawing, folder / f"figure-{number}", f"{paper}-figure-{number}")
+        for number, drawing in sorted(load_figures(paper).items())
     ]
     text = json.dumps(records, indent=1, ensure_ascii=False)
     (folder / "figures.json").write_text(text + "\n", encoding="utf-8")
+
+
+def _write(drawing: Drawing, stem: Path, prefix: str) -> dict[str, int | str]:
+    """Write one figure; return what the book says of it. Ids in the picture start with `prefix`."""
+    frame = drawing.data()
+    alt = drawing.describe(frame)
+    frame.to_csv(stem.with_suffix(".csv"), index=False, float_format=DIGITS, lineterminator="\n")
+    picture = stem.with_suffix(".svg")
+    save_figure(drawing.draw(frame), picture, title=drawing.title, alt=alt, prefix=prefix)
+    return {
+        "number": drawing.number,
+        "title": drawing.title,
+        "alt": alt,
+        "caption": drawing.caption,
+    }

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import traceback
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -68,24 +68,18 @@ def _put(staged: Path, final: Path) -> None:
 
 @contextmanager
 def _printing_to(log: Path) -> Iterator[None]:
-    """Send standard output and error, those of child processes too, to a file."""
-    with log.open("w", encoding="utf-8") as stream:
-        _flush()
+    """Send standard output and error to a file, those of child processes too."""
+    with log.open("w", encoding="utf-8", buffering=1) as stream:
         kept = [(number, os.dup(number)) for number in (1, 2)]
         for number, _ in kept:
             os.dup2(stream.fileno(), number)
         try:
-            yield
+            with redirect_stdout(stream), redirect_stderr(stream):
+                yield
         finally:
-            _flush()
             for number, copy in kept:
                 os.dup2(copy, number)
                 os.close(copy)
-
-
-def _flush() -> None:
-    sys.stdout.flush()
-    sys.stderr.flush()
 
 
 @contextmanager

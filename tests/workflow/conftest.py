@@ -1,0 +1,93 @@
+"""A copy of what git holds, with scripts that only touch their outputs, and a way to run it."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+TOUCH = """
+from pathlib import Path
+
+for path in snakemake.output:
+    Path(path).write_text(snakemake.rule)
+"""
+
+
+@dataclass(frozen=True)
+class Project:
+    """A project folder and the environment to run its own package in."""
+
+    folder: Path
+
+    def run(self, *command: str) -> subprocess.CompletedProcess[str]:
+        """Run a command; standard error is in `stdout`, as on a screen."""
+        return subprocess.run(
+            command,
+            cwd=self.folder,
+            env=os.environ
+            | {
+                "PYTHONPATH": str(self.folder / "workflow"),
+                "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+            },
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+
+    def touch_only(self, *, but: str = "") -> None:
+        """Replace every script (but one) by one that only writes its outputs."""
+        for script in (self.folder / "workflow" / "scripts").glob("*.py"):
+            if script.stem != but:
+                script.write_text(TOUCH)
+
+    def steps(self) -> list[str]:
+        """Return the progress lines of a dry run, without their numbers."""
+        done = self.run("snakemake", "--dryrun")
+        assert done.returncode == 0, done.stdout
+        return [x.split("] ", 1)[1] for x in done.stdout.splitlines() if x.startswith("[")]
+
+
+def copy_of(root: Path, folder: Path) -> Project:
+    """Copy what git holds (symbolic links as such) to a new folder."""
+    command = ["git", "ls-files"]
+    listed = subprocess.run(command, cwd=root, capture_output=True, text=True, check=False)
+    if listed.returncode:
+        pytest.skip("this folder is no git clone, so what git holds is not known")
+    for name in listed.stdout.splitlines():
+        if (root / name).exists():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(root / name, folder / name, follow_symlinks=False)
+    return Project(folder)
+
+
+@pytest.fixture
+def project(root: Path, tmp_path: Path) -> Project:
+    """Return a fresh copy of the project."""
+    return copy_of(root, tmp_path / "project")
+
+
+@pytest.fixture(scope="session")
+def built(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Project:
+    """Return a copy in which every step ran once, by scripts that only touch."""
+    project = copy_of(root, tmp_path_factory.mktemp("built"))
+    project.touch_only()
+    done = project.run("snakemake")
+    assert done.returncode == 0, done.stdout
+    return project
+
+
+@pytest.fixture(scope="session")
+def jobs(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[dict]]:
+    """Return all jobs of a build: rule, file of rules, named inputs and outputs, log, …"""
+    project = copy_of(root, tmp_path_factory.mktemp("dag"))
+    done = project.run(sys.executable, str(Path(__file__).with_name("list_jobs.py")))
+    assert done.returncode == 0, done.stdout
+    return json.loads(done.stdout.splitlines()[-1])
