@@ -9,14 +9,14 @@ from typing import Any
 
 from sympy import MatrixBase, Symbol
 
-from omniproof.audit.printing import to_latex
+from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
 from omniproof.papers.registry import Derivation, Derived, Registry, Relation
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role
-from omniproof.transcription.symbols import symbol_name
-from omniproof.transcription.tree import Chain, Name, Node
+from omniproof.transcription.model import Symbol as PrintedSymbol
+from omniproof.transcription.tree import Chain, Name, Node, names
 
 
 @dataclass
@@ -27,6 +27,7 @@ class Context:
     registry: Registry
     readings: Mapping[str, Read]
     choices: Mapping[str, str] = field(default_factory=dict)
+    known: dict[str, Any] = field(default_factory=dict)
 
     @cached_property
     def claims(self) -> dict[str, Claim]:
@@ -34,29 +35,31 @@ class Context:
         return {claim.id: claim for claim in self.loaded.claims}
 
     @cached_property
-    def latex_names(self) -> dict[Symbol, str]:
-        """LaTeX of the paper's free symbols."""
-        return {
-            self._symbol(symbol.name, symbol.positive): symbol.latex
+    def spelling(self) -> Spelling:
+        """How the paper writes what is derived."""
+        symbols = {
+            self._symbol(symbol): symbol.latex
             for symbol in self.loaded.paper.symbols
             if symbol.role is not Role.QUANTITY
         }
+        short = {build(): latex for latex, build in self.registry.abbreviations.items()}
+        return Spelling(symbols, short)
 
-    @cached_property
-    def meanings(self) -> dict[str, Any]:
-        """What each printed symbol stands for, by canonical name."""
-        return {
-            symbol_name(symbol.latex): (
+    def meaning(self, printed: str) -> Any:
+        """What a printed symbol stands for, by canonical name; quantities are derived once."""
+        if printed not in self.known:
+            symbol = self.loaded.symbols[printed]
+            self.known[printed] = (
                 self.registry.quantities[symbol.name]()
                 if symbol.role is Role.QUANTITY
-                else self._symbol(symbol.name, symbol.positive)
+                else self._symbol(symbol)
             )
-            for symbol in self.loaded.paper.symbols
-        }
+        return self.known[printed]
 
     @staticmethod
-    def _symbol(name: str, positive: bool) -> Symbol:
-        return Symbol(name, positive=True) if positive else Symbol(name, real=True)
+    def _symbol(symbol: PrintedSymbol) -> Symbol:
+        assumption = {"positive": True} if symbol.positive else {"real": True}
+        return Symbol(symbol.name, **assumption)
 
     def derivation(self, claim: str) -> Derivation:
         """Return how a claim follows; raises `KeyError` for a claim without derivation."""
@@ -75,17 +78,20 @@ class Context:
         derived = self.derive(claim)
         return derived if isinstance(derived, Relation) else Relation(derived)
 
-    def meanings_at(self, claim: str) -> dict[str, Any]:
-        """Meanings of symbols at one claim: some stand for anything in a lemma."""
+    def meanings_at(self, claim: str, node: Node) -> dict[str, Any]:
+        """Meanings of the symbols in a formula; in a lemma, some stand for anything."""
         own = self.derivation(claim).meanings()
-        by_name = {symbol.name: symbol_name(symbol.latex) for symbol in self.loaded.paper.symbols}
-        return self.meanings | {by_name[name]: value for name, value in own.items()}
+        return {
+            printed: own[name] if name in own else self.meaning(printed)
+            for printed in names(node)
+            if printed in self.loaded.symbols
+            for name in [self.loaded.symbols[printed].name]
+        }
 
     def evaluate(self, claim: str, node: Node | None = None) -> Any:
         """Value of the printed form, or of one part of it; raises `LatexError`."""
-        latex = self.printed(claim)
         tree = self.loaded.trees[claim] if node is None else node
-        return evaluate(tree, self.meanings_at(claim), latex)
+        return evaluate(tree, self.meanings_at(claim, tree), self.printed(claim))
 
     def sides(self, claim: str) -> tuple[Node, ...]:
         """Sides of a printed equation that its derivation is held against.
@@ -104,11 +110,7 @@ class Context:
 
     def printed(self, claim: str) -> str:
         """LaTeX of a claim, its fragments joined."""
-        return " ".join(self.claims[claim].latex)
-
-    def latex(self, value: Any) -> str:
-        """Print a derived value in the paper's symbols."""
-        return to_latex(value, self.latex_names)
+        return self.loaded.sources.get(claim, "")
 
 
 def entries(value: Any) -> dict[tuple[int, ...], Any]:

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import MatrixBase, Mul
+from sympy import MatrixBase
 
-from omniproof.audit.answer import Answer, OnBranch, Proved
+from omniproof.audit.answer import Answer, Proved
 from omniproof.audit.context import Context, entries
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.relations import merge
@@ -20,19 +20,21 @@ from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import Claim, Role
 from omniproof.transcription.reader import read
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Node
+from omniproof.transcription.tree import Span
 
 
 @dataclass(frozen=True)
 class Cell:
-    """One printed cell: its sides as values, its verbatim text, and what it should be."""
+    """One printed cell: its verbatim text, its sides, and what they should be.
+
+    `places` says which part of the text each side is; for the entry of a matrix that is the text.
+    """
 
     id: str
     text: str
-    values: tuple[Any, ...]
-    nodes: tuple[Node, ...]
+    places: tuple[Span, ...]
+    sides: tuple[Any, ...]
     derived: Any
-    factor: Any = 1
 
 
 def judge_identity(claim: Claim, context: Context) -> list[Row]:
@@ -42,7 +44,7 @@ def judge_identity(claim: Claim, context: Context) -> list[Row]:
 
 def count_faults(claim: Claim, context: Context) -> int:
     """Count the cells of a claim that are not plainly true, without looking for a repair."""
-    return sum(not isinstance(_compare(cell), Proved) for cell in _cells(claim, context))
+    return sum(not isinstance(_compare(cell)[0], Proved) for cell in _cells(claim, context))
 
 
 def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
@@ -51,56 +53,50 @@ def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
     values = tuple(context.evaluate(claim.id, node) for node in nodes)
     text = context.printed(claim.id)
     if not isinstance(derived, MatrixBase):
-        yield Cell(claim.id, text, values, nodes, derived)
+        yield Cell(claim.id, text, tuple(node.span for node in nodes), values, derived)
         return
     for index, entry in entries(derived).items():
         sides = tuple(entries(value)[index] for value in values)
-        verbatim = entry_source(text, context.loaded.trees[claim.id], index)
+        verbatim = entry_source(text, context.loaded.trees[claim.id], index) or text
         name = f"{claim.id}[{','.join(map(str, index))}]"
-        yield Cell(name, verbatim or text, sides, nodes if verbatim is None else (), entry)
+        yield Cell(name, verbatim, ((0, len(verbatim)),) * len(sides), sides, entry)
 
 
 def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
-    answer = _compare(cell)
+    answer, place = _compare(cell)
     row = start(claim, context, cell.id).model_copy(
-        update={"printed": cell.text, "derived": context.latex(cell.derived)}
+        update={"printed": cell.text, "derived": context.spelling.latex(cell.derived)}
         | answer_fields(answer, context)
     )
     if row.verdict is not Verdict.ERRATUM:
         return row
-    mended = _mend(cell, claim.id, context)
+    mended = _mend(cell, place, claim.id, context)
     if mended:
         return row.model_copy(update={"correction": mended, "repair": Repair.EXPLAINED})
     return row.model_copy(update={"correction": row.derived, "repair": Repair.MANUAL})
 
 
-def _compare(cell: Cell) -> Answer:
+def _compare(cell: Cell) -> tuple[Answer, int]:
+    """Hold each side against what is derived; the answer on the first that fails, and its place."""
     engines: tuple[str, ...] = ()
-    branch: OnBranch | None = None
-    for value in cell.values:
-        answer = decide_equal(value, cell.derived)
-        if isinstance(answer, Proved):
-            engines = merge(engines, answer.engines)
-        elif isinstance(answer, OnBranch):
-            branch = answer
-        else:
-            return answer
-    return branch or Proved(engines)
+    for place, side in enumerate(cell.sides):
+        answer = decide_equal(side, cell.derived)
+        if not isinstance(answer, Proved):
+            return answer, place
+        engines = merge(engines, answer.engines)
+    return Proved(engines), 0
 
 
-def _mend(cell: Cell, claim: str, context: Context) -> str:
-    """Return the printed text after the one edit that makes it true, if there is one."""
-    meanings = context.meanings_at(claim)
-    symbols = [symbol.latex for symbol in context.loaded.paper.symbols]
-    notation = context.loaded.paper.notation
+def _mend(cell: Cell, place: int, claim: str, context: Context) -> str:
+    """Return the printed text after the one edit that makes the side at `place` true, if any."""
+    begin, end = cell.places[place]
+    side = cell.text[begin:end]
+    paper = context.loaded.paper
+    symbols = [symbol.latex for symbol in paper.symbols]
 
     def value_of(text: str) -> Any:
-        return evaluate(read(text, notation, symbols), meanings, text)
-
-    try:
-        factor = _factor(cell, value_of(cell.text))
-    except (LatexError, TypeError):
-        return ""
+        node = read(text, paper.notation, symbols)
+        return evaluate(node, context.meanings_at(claim, node), text)
 
     def is_true(text: str) -> bool:
         try:
@@ -108,13 +104,15 @@ def _mend(cell: Cell, claim: str, context: Context) -> str:
         except (LatexError, TypeError, AttributeError):
             return False
 
-    vocabulary = [s.latex for s in context.loaded.paper.symbols if s.role is Role.VARIABLE]
-    found = repair(cell.text, is_true, vocabulary)
-    return found[0].text if found else ""
+    try:
+        factor = _factor(cell.sides[place], value_of(side))
+    except (LatexError, TypeError):
+        return ""
+    vocabulary = [symbol.latex for symbol in paper.symbols if symbol.role is Role.VARIABLE]
+    found = repair(side, is_true, vocabulary)
+    return cell.text[:begin] + found[0].text + cell.text[end:] if found else ""
 
 
-def _factor(cell: Cell, value: Any) -> Any:
+def _factor(side: Any, value: Any) -> Any:
     """Factor that stands before a printed matrix, outside the text of its entry."""
-    if value == 0 or isinstance(value, tuple):
-        return 1
-    return Mul(cell.values[-1], 1 / value)
+    return 1 if value == 0 else side / value

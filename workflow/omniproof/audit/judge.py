@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import assert_never
 
-from omniproof.audit.answer import Proved, Refuted
+from sympy import Expr, MatrixBase
+
+from omniproof.audit.answer import Answer, Proved, Refuted, Undecided
 from omniproof.audit.context import Context
+from omniproof.audit.decimals import Rounding, classify
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
 from omniproof.audit.relations import equivalent, instance, judge, merge
@@ -16,7 +18,7 @@ from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import names
+from omniproof.transcription.tree import Node, names
 from omniproof.transcription.verbatim import normalise
 
 
@@ -41,34 +43,42 @@ def _judge_uncheckable(claim: Claim, context: Context) -> Row:
     return with_note(row, f"{claim.uncheckable}: {claim.decided_by} would decide it")
 
 
-def _judge_value(claim: Claim, context: Context) -> Row:
-    from omniproof.audit.decimals import Rounding, classify
+_BY_ROUNDING = {
+    Rounding.EXACT: Verdict.VERIFIED,
+    Rounding.ROUNDED: Verdict.VERIFIED,
+    Rounding.TIE: Verdict.VERIFIED,
+    Rounding.TRUNCATED: Verdict.MISROUNDED,
+    Rounding.OFF_BY_ONE: Verdict.MISROUNDED,
+    Rounding.WRONG: Verdict.ERRATUM,
+}
 
+
+def _judge_value(claim: Claim, context: Context) -> Row:
     value = context.derive(claim.id)
     finding = classify(value, str(claim.printed))
-    match finding.rounding:
-        case Rounding.EXACT | Rounding.ROUNDED | Rounding.TIE:
-            verdict = Verdict.VERIFIED
-        case Rounding.TRUNCATED | Rounding.OFF_BY_ONE:
-            verdict = Verdict.MISROUNDED
-        case Rounding.WRONG:
-            verdict = Verdict.ERRATUM
-        case _ as never:
-            assert_never(never)
-    fields = {
-        "verdict": verdict,
-        "derived": context.latex(value),
-        "interval": finding.interval_text,
-        "engines": "flint",
-    }
-    if verdict is not Verdict.VERIFIED:
-        fields |= {
-            "witness": f"printed={claim.printed}; derived={finding.digits}",
-            "correction": finding.correction,
-            "repair": Repair.MANUAL,
+    row = start(claim, context)
+    if isinstance(finding, Undecided):
+        return row.model_copy(update=answer_fields(finding, context))
+    verdict = _BY_ROUNDING[finding.rounding]
+    row = row.model_copy(
+        update={
+            "verdict": verdict,
+            "derived": context.spelling.latex(value),
+            "interval": finding.interval_text,
+            "engines": "flint",
         }
-    row = start(claim, context).model_copy(update=fields)
-    return with_note(row, f"{finding.rounding}" if verdict is Verdict.MISROUNDED else "")
+    )
+    if verdict is Verdict.VERIFIED:
+        return row
+    mended = {
+        "witness": f"printed={claim.printed}; derived={finding.digits}",
+        "correction": finding.correction,
+        "repair": Repair.MANUAL,
+    }
+    return with_note(
+        row.model_copy(update=mended),
+        f"{finding.rounding}, relative error {finding.relative_error}",
+    )
 
 
 def _judge_relation(claim: Claim, context: Context) -> Row:
@@ -96,22 +106,20 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
     return row.model_copy(update=fields)
 
 
-def _judge_form(claim: Claim, relation: Relation, context: Context):  # type: ignore[no-untyped-def]
+def _judge_form(claim: Claim, relation: Relation, context: Context) -> Answer:
     assert claim.asserts is not None
     form = claim.asserts.form
     if form is Form.EQUIVALENT:
         return equivalent(context.evaluate(claim.id), relation.subject)
     if form is Form.INSTANCE:
         return instance(tuple(context.evaluate(claim.id)), relation.subject)
-    at = tuple(_point(context, text) for text in claim.asserts.at)
+    at = tuple(_point(node, context) for node in context.loaded.points.get(claim.id, ()))
     return judge(Obligation(form, relation.subject, at, claim.asserts.member))
 
 
-def _point(context: Context, text: str):  # type: ignore[no-untyped-def]
-    from omniproof.transcription.reader import read
-
-    value = evaluate(read(text, context.loaded.paper.notation), context.meanings, text)
-    return tuple(value) if hasattr(value, "__iter__") else (value,)
+def _point(node: Node, context: Context) -> tuple[Expr, ...]:
+    value = evaluate(node, {name: context.meaning(name) for name in names(node)})
+    return tuple(value) if isinstance(value, MatrixBase) else (value,)
 
 
 def _judge_consistency(claim: Claim, context: Context) -> Row:

@@ -3,27 +3,36 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from sympy import MatrixBase, Symbol, latex
+from sympy import Expr, MatrixBase, Symbol, latex
 
 LONGEST = 400
 """Derived forms beyond this many characters are not shown: nobody reads them."""
 
 
-def to_latex(value: Any, names: Mapping[Symbol, str]) -> str:
-    """Print an expression, matrix or tuple with the paper's spelling of its symbols.
+@dataclass(frozen=True)
+class Spelling:
+    """How a paper writes: LaTeX of its symbols, and short names for long expressions."""
 
-    `names`: LaTeX by symbol. An expression too long to read gives an empty string.
-    """
-    if isinstance(value, tuple):
-        return r",\; ".join(to_latex(entry, names) for entry in value)
-    matrices = {"mat_delim": "(", "mat_str": "matrix"} if isinstance(value, MatrixBase) else {}
-    text = latex(
-        value,
-        symbol_names=dict(names),
-        fold_func_brackets=True,
-        ln_notation=True,
-        **matrices,
-    )
-    return text if len(text) <= LONGEST else ""
+    symbols: Mapping[Symbol, str]
+    abbreviations: Mapping[Expr, str]
+
+    def latex(self, value: Any) -> str:
+        """Print an expression, a matrix or a tuple; nothing where it would be too long to read."""
+        if isinstance(value, tuple):
+            return r",\; ".join(self.latex(entry) for entry in value)
+        text = latex(
+            self._abbreviated(value),
+            symbol_names=dict(self.symbols),
+            fold_func_brackets=True,
+            **({"mat_delim": "(", "mat_str": "matrix"} if isinstance(value, MatrixBase) else {}),
+        )
+        return text if len(text) <= LONGEST else ""
+
+    def _abbreviated(self, value: Any) -> Any:
+        """Name long parts; what is the long expression itself is printed in full."""
+        if not hasattr(value, "xreplace") or value in self.abbreviations:
+            return value
+        return value.xreplace({part: Symbol(text) for part, text in self.abbreviations.items()})

@@ -10,12 +10,13 @@ from collections.abc import Mapping, Sequence
 from itertools import product
 from typing import Any
 
-from sympy import Expr, Symbol, sign
+from sympy import Expr, Integer, Symbol, pi
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
 from omniproof.audit import ordering
 from omniproof.audit.answer import REALS, Answer, Proved, Refuted, Undecided, Witness
+from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.zero_test import decide_equal
 from omniproof.papers.registry import Family, Obligation
 from omniproof.transcription.model import Form
@@ -70,11 +71,13 @@ def _judge_family(form: Form, family: Family, at: tuple[tuple[Expr, ...], ...]) 
 def _judge_member(form: Form, values: Mapping[str, Expr], member: str) -> Answer:
     if form not in {Form.LARGEST, Form.SMALLEST} or member not in values:
         return Undecided(f"the form {form} with the member {member} is not judged on {set(values)}")
-    wanted = 1 if form is Form.LARGEST else -1
-    for name, value in values.items():
-        if name != member and ordering.compare(values[member], value) != wanted:
-            return _refuted_by({member: values[member], name: value})
-    return Proved(("flint",))
+    answer = ordering.is_extreme(values, member, 1 if form is Form.LARGEST else -1)
+    if isinstance(answer, Refuted):
+        shown = {name: ordering.digits(value) for name, value in values.items()}
+        return Refuted(
+            answer.engines, Witness(shown, answer.witness.printed, answer.witness.derived)
+        )
+    return answer
 
 
 def _judge_sequence(form: Form, values: tuple[Expr, ...]) -> Answer:
@@ -82,20 +85,23 @@ def _judge_sequence(form: Form, values: tuple[Expr, ...]) -> Answer:
         case Form.EQUAL:
             return all_equal(values)
         case Form.POSITIVE | Form.NEGATIVE:
-            wrong = [v for v in values if ordering.compare(v, 0) != _SIGNS[form]]
-            return _refuted_by({"value": wrong[0]}) if wrong else Proved(("flint",))
-        case Form.INCREASING | Form.DECREASING:
-            wanted = -1 if form is Form.INCREASING else 1
-            for k, (a, b) in enumerate(zip(values, values[1:], strict=False), 1):
-                if ordering.compare(a, b) != wanted:
-                    return _refuted_by({f"value_{k}": a, f"value_{k + 1}": b})
-            return Proved(("flint",))
+            return _same_sign(values, _SIGNS[form])
+        case Form.INCREASING:
+            return ordering.monotone(values, 1)
+        case Form.DECREASING:
+            return ordering.monotone(values, -1)
     return Undecided(f"the form {form} is not judged on a sequence")
 
 
-def _refuted_by(values: Mapping[str, Expr]) -> Refuted:
-    shown = {name: ordering.digits(value) for name, value in values.items()}
-    return Refuted(("flint",), Witness(shown, "true", "false"))
+def _same_sign(values: tuple[Expr, ...], wanted: int) -> Answer:
+    try:
+        wrong = [value for value in values if ordering.compare(value, Integer(0)) != wanted]
+    except UnsupportedError as reason:
+        return Undecided(str(reason), ("flint",))
+    if not wrong:
+        return Proved(("flint",))
+    sign = "positive" if wanted > 0 else "negative"
+    return Refuted(("flint",), Witness({}, sign, ordering.digits(wrong[0])))
 
 
 def equivalent(printed: Boolean, derived: Boolean) -> Answer:
@@ -127,7 +133,7 @@ def _on_a_monomial(relation: Relational) -> bool:
     if relation.rhs != 0:
         return False
     factors = relation.lhs.as_ordered_factors()
-    return all(sign(f).is_number or f.as_base_exp()[0].is_Symbol for f in factors)
+    return all(f.is_number or f.as_base_exp()[0].is_Symbol for f in factors)
 
 
 def instance(printed: Sequence[Expr], family: Sequence[Expr]) -> Answer:
@@ -152,12 +158,8 @@ def instance(printed: Sequence[Expr], family: Sequence[Expr]) -> Answer:
 
 
 def _reduced(angle: Expr) -> Expr:
-    from sympy import pi
-
     return angle % (2 * pi)
 
 
 def _degrees(angle: Any) -> str:
-    from sympy import pi
-
     return f"{angle * 180 / pi}°"

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from sympy import Expr, GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
+
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
+from omniproof.audit.zero_test import decide_equal
 from omniproof.transcription.model import Claim
 
 
@@ -38,10 +41,10 @@ def answer_fields(answer: Answer, context: Context) -> dict[str, Any]:
                 "witness": str(witness),
                 "engines": "+".join(engines),
             }
-        case OnBranch(engines, condition, witness):
+        case OnBranch(engines, _, witness):
             return {
                 "verdict": Verdict.CONDITIONAL,
-                "assumption": _named(answer, condition, context),
+                "assumption": _condition(answer, context),
                 "witness": str(witness),
                 "engines": "+".join(engines),
             }
@@ -55,9 +58,24 @@ def with_note(row: Row, *sentences: str) -> Row:
     return row.model_copy(update={"note": " ".join(filter(None, [row.note, *added]))})
 
 
-def _named(answer: OnBranch, condition: str, context: Context) -> str:
-    """Write the condition by a quantity of the paper, where it is the sign of one."""
-    return condition
+def _condition(answer: OnBranch, context: Context) -> str:
+    """Write the condition in the paper's symbols; other conditions as the engine has them."""
+    signs = [_SIGNS.get(relation.func) for relation in answer.relations]
+    if not signs or not all(signs):
+        return answer.condition
+    named = [f"{_name(r.lhs - r.rhs, context)}" for r in answer.relations]
+    return r" \text{ and } ".join(f"{n} {s} 0" for n, s in zip(named, signs, strict=True))
+
+
+_SIGNS = {StrictGreaterThan: ">", GreaterThan: r"\geq", StrictLessThan: "<", LessThan: r"\leq"}
+
+
+def _name(expression: Expr, context: Context) -> str:
+    """Call an expression by what the paper calls it, where it is one of its long ones."""
+    for known, latex in context.spelling.abbreviations.items():
+        if isinstance(decide_equal(expression, known), Proved):
+            return latex
+    return context.spelling.latex(expression)
 
 
 def _sentence(text: str) -> str:

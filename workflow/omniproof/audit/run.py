@@ -16,7 +16,8 @@ from omniproof.audit.ledger import Ledger
 from omniproof.audit.readings import load_readings
 from omniproof.papers.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
-from omniproof.transcription.loader import load_paper, unmatched
+from omniproof.transcription.loader import load_paper
+from omniproof.transcription.matching import unmatched
 from omniproof.transcription.model import Claim, Form, Kind
 from omniproof.transcription.tokens import LatexError
 
@@ -78,7 +79,7 @@ def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
         nodes = context.sides(claim.id) if compared else (context.loaded.trees[claim.id],)
         values = [context.evaluate(claim.id, node) for node in nodes]
     except LatexError as error:
-        yield context.loaded.fault(claim.id, "latex", error.message, error.cure)
+        yield _fault(claim, context, error.message, error.cure)
         return
     if compared and any(isinstance(value, MatrixBase) for value in values):
         yield from _shapes(claim, context, values)
@@ -89,12 +90,14 @@ def _shapes(claim: Claim, context: Context, values: list[object]) -> Iterator[Fa
     for value in values:
         found = getattr(value, "shape", "a single expression")
         if found != expected:
-            yield context.loaded.fault(
-                claim.id,
-                "latex",
-                f"expected the shape {expected}, found {found}",
-                "print every row with the same number of entries, as the paper does",
-            )
+            cure = "write every row with as many entries as the paper prints"
+            yield _fault(claim, context, f"expected the shape {expected}, found {found}", cure)
+
+
+def _fault(claim: Claim, context: Context, message: str, cure: str) -> Fault:
+    place = context.loaded.positions[claim.id]
+    path = f"claims[{claim.id}].latex"
+    return Fault(place.file, place.line, place.column, path, message, cure)
 
 
 def _choose(name: str, context: Context) -> str:

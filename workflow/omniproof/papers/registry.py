@@ -88,12 +88,14 @@ Bind: TypeAlias = Callable[[Callable[..., Derived]], Callable[..., Derived]]
 
 @dataclass
 class Registry:
-    """All derivations, quantities and conventions of one paper."""
+    """All derivations, quantities and conventions of one paper, and names for long expressions."""
 
     paper: str
     derivations: dict[str, Derivation] = field(default_factory=dict)
     quantities: dict[str, Callable[[], Expr | MatrixBase]] = field(default_factory=dict)
     conventions: dict[str, Convention] = field(default_factory=dict)
+    abbreviations: dict[str, Callable[[], Expr]] = field(default_factory=dict)
+    """LaTeX for an expression that would fill a line wherever it occurs in a derived form."""
 
     def derives(
         self,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from sympy import (
     Abs,
     Expr,
@@ -30,16 +32,17 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     THETA,
     V_X,
     V_Y,
+    Platform,
     any_directions,
     first_arc,
     free_vectors,
     general,
     height,
+    invert,
     norm,
     platform,
     projected,
     second_arc,
-    sum_of_columns,
     third_arc,
 )
 from omniproof.papers.registry import Convention, Family, Obligation, Relation
@@ -51,10 +54,11 @@ COLUMN_OF_RADII = "the unknown is the yaw rate: third column L"
 REGISTRY.conventions[MATRIX] = Convention(COLUMN_OF_ONES, (COLUMN_OF_RADII,))
 
 
-def matrix_by(convention: str) -> ImmutableMatrix:
-    """Return the wheel matrix with its third column as the convention has it."""
+@cache
+def platform_by(convention: str) -> Platform:
+    """Return the platform with the third column of its matrix as the convention has it."""
     lever = RADIUS if convention == COLUMN_OF_RADII else Integer(1)
-    return omni.wheel_matrix(ANGLES, lever)
+    return invert(omni.wheel_matrix(ANGLES, lever))
 
 
 @REGISTRY.derives("app:A/cofactor-of")
@@ -80,14 +84,14 @@ def inverse_by_cofactors() -> ImmutableMatrix:
 
 for _i, _k in ((1, 1), (2, 2), (1, 2), (2, 1), (1, 3), (2, 3)):
     REGISTRY.derives(f"eq:A.2/a{_i}{_k}", convention=MATRIX)(
-        lambda convention, i=_i, k=_k: matrix_by(convention).adjugate()[i - 1, k - 1]
+        lambda convention, i=_i, k=_k: platform_by(convention).adjugate[i - 1, k - 1]
     )
 
 
 @REGISTRY.derives("eq:A.3", "eq:C.6", convention=MATRIX)
 def determinant_of_a(convention: str) -> Expr:
     """Determinant of the matrix of Appendix (A)."""
-    return matrix_by(convention).det(method="berkowitz")
+    return platform_by(convention).determinant
 
 
 for _k in (1, 2, 3):
@@ -96,17 +100,18 @@ for _k in (1, 2, 3):
     )
 
 
+def _any_columns() -> dict[str, ImmutableMatrix]:
+    return {f"a_{k}": vector for k, vector in enumerate(free_vectors(), 1)}
+
+
 @REGISTRY.derives("app:B/spanned")
 def volume_of_domain() -> Relation:
-    """Volume of the image of the cube, and of the parallelepiped of the columns."""
-    columns = any_directions().inverse.applyfunc(cancel)
-    return Relation((zonotope.volume(columns), 8 * Abs(cancel(columns.det()))))
+    """Volume of the domain that three free vectors span, and of their parallelepiped."""
+    columns = ImmutableMatrix.hstack(*free_vectors())
+    return Relation((zonotope.volume(columns), 8 * Abs(invert(columns).determinant)))
 
 
-@REGISTRY.derives(
-    "app:B/area-of-base",
-    meanings=lambda: _any_columns(),
-)
+@REGISTRY.derives("app:B/area-of-base", meanings=_any_columns)
 def area_of_base() -> Expr:
     """Area of a parallelogram by its sides and their inner product (Lagrange's identity)."""
     first, second, _ = free_vectors()
@@ -130,10 +135,6 @@ def products_with_normal() -> Relation:
     return Relation((base.dot(first), base.dot(second), Integer(0)))
 
 
-def _any_columns() -> dict[str, ImmutableMatrix]:
-    return {f"a_{k}": vector for k, vector in enumerate(free_vectors(), 1)}
-
-
 @REGISTRY.derives("eq:B.2", rests_on=["eq:11"], meanings=_any_columns)
 def height_over_base() -> Expr:
     """Height of the parallelepiped: the length of the projection of a_3 on the normal."""
@@ -143,7 +144,7 @@ def height_over_base() -> Expr:
 @REGISTRY.derives("eq:B.3", rests_on=["eq:B.2"], meanings=_any_columns)
 def volume_by_height() -> Expr:
     """Volume of the parallelepiped of three vectors."""
-    return Abs(ImmutableMatrix.hstack(*free_vectors()).det())
+    return Abs(triple_product())
 
 
 @REGISTRY.derives("eq:B.3#2/volume", rests_on=["eq:11"], meanings=_any_columns)
@@ -155,7 +156,7 @@ def volume_by_triple_product() -> Expr:
 @REGISTRY.derives("eq:B.3#2/determinant", meanings=_any_columns)
 def triple_product() -> Expr:
     """Determinant of three vectors."""
-    return ImmutableMatrix.hstack(*free_vectors()).det()
+    return invert(ImmutableMatrix.hstack(*free_vectors())).determinant
 
 
 @REGISTRY.derives("eq:C.4/arc-a")
@@ -288,19 +289,4 @@ def half_of_hexagon() -> Relation:
     return Relation((hexagon / 2, parallelogram + triangle))
 
 
-@REGISTRY.derives("app:D/case-2-occurs")
-def shares_of_third_column() -> Relation:
-    """Minus the product of the shares of a_1 and a_2 in a_3: positive in Case 2.
-
-    Equal wheel speeds turn the body on the spot, so the three columns add up to no velocity.
-    """
-    total = sum_of_columns()
-    share = Integer(-1) + total[0] + total[1]
-    return Relation(
-        (-(share**2),),
-        correction=(
-            r"\hat{\mathbf{a}}_3 = -\hat{\mathbf{a}}_1 - \hat{\mathbf{a}}_2 "
-            r"\text{ for every arrangement}"
-        ),
-        proof=(Obligation(Form.EQUAL, (total[0], total[1], Integer(0))),),
-    )
+REGISTRY.abbreviations[r"\det[\mathbf{a}_1, \mathbf{a}_2, \mathbf{a}_3]"] = triple_product

@@ -13,9 +13,11 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     SPEEDS,
     THETA,
     any_directions,
+    free_vectors,
     general,
     image_area,
     image_volume,
+    invert,
     platform,
     projected,
     sum_of_columns,
@@ -41,9 +43,9 @@ def bound_of_cube() -> Expr:
 
 @REGISTRY.derives("sec:3/image-is-parallelepiped")
 def image_is_solid() -> Relation:
-    """The generators of the image are independent wherever A has an inverse."""
+    """Product of the determinants of A and its inverse, for free driven directions."""
     free = any_directions()
-    return Relation((cancel((free.inverse.det() * free.determinant) ** 2),))
+    return Relation((invert(free.inverse).determinant * free.determinant, Integer(1)))
 
 
 @REGISTRY.derives("eq:9")
@@ -74,15 +76,15 @@ def third_column() -> ImmutableMatrix:
 def determinant_of_inverse() -> Relation:
     """Determinant of the inverse, for free driven directions."""
     free = any_directions()
-    return Relation((cancel(free.inverse.det()), 1 / free.determinant))
+    return Relation((invert(free.inverse).determinant, 1 / free.determinant))
 
 
 @REGISTRY.derives("sec:3/volume-ratio")
 def ratio_of_volumes() -> Relation:
-    """Volume of the image over that of the cube, and the determinant of the inverse."""
-    free = any_directions()
-    image = zonotope.volume(free.inverse.applyfunc(cancel))
-    return Relation((image / zonotope.volume(eye(3)), 1 / Abs(free.determinant)))
+    """Volume ratio of a parallelepiped of free vectors and the cube, and their determinant."""
+    columns = ImmutableMatrix.hstack(*free_vectors())
+    ratio = zonotope.volume(columns) / zonotope.volume(eye(3))
+    return Relation((ratio, Abs(invert(columns).determinant)))
 
 
 @REGISTRY.derives("eq:11")

@@ -36,12 +36,12 @@ class Platform:
     inverse: ImmutableMatrix
 
 
+@cache
 def platform(angles: tuple[Expr, ...]) -> Platform:
     """Derive the matrices of the arrangement with the wheels at `angles` (rad)."""
-    return _platform(omni.velocity_matrix(angles))
+    return invert(omni.velocity_matrix(angles))
 
 
-@cache
 def general() -> Platform:
     """Three wheels anywhere on the circle."""
     return platform(ANGLES)
@@ -55,12 +55,16 @@ def any_directions() -> Platform:
     is that of the platform: every wheel turns the body with the same lever.
     """
     free = ImmutableMatrix(3, 2, symbols("n_1x n_1y n_2x n_2y n_3x n_3y", real=True))
-    return _platform(ImmutableMatrix.hstack(free, general().matrix[:, 2]))
+    return invert(ImmutableMatrix.hstack(free, general().matrix[:, 2]))
 
 
-def _platform(matrix: ImmutableMatrix) -> Platform:
-    determinant = matrix.det(method="berkowitz")
-    adjugate = matrix.adjugate(method="berkowitz")
+def invert(matrix: ImmutableMatrix) -> Platform:
+    """Adjugate and determinant of a 3 x 3 matrix by cross products of its rows."""
+    first, second, third = (matrix[k, :] for k in range(3))
+    adjugate = ImmutableMatrix.hstack(
+        second.cross(third).T, third.cross(first).T, first.cross(second).T
+    )
+    determinant = first.dot(second.cross(third))
     return Platform(matrix, determinant, adjugate, adjugate / determinant)
 
 
@@ -73,14 +77,17 @@ def image_volume(determinant: Expr) -> Expr:
 
 
 def image_area(determinant: Expr) -> Expr:
-    """Area of the image's projection on the velocity plane, in (m/s)^2.
+    """Area of the image's projection on the velocity plane, in (m/s)^2."""
+    return _area_times_determinant() / Abs(determinant)
 
-    Computed for free driven directions, where |det A| times the area is one number.
-    """
+
+@cache
+def _area_times_determinant() -> Expr:
+    """|det A| times the area, for free driven directions: it is one number."""
     free = any_directions()
-    pairs = zonotope.projection(free.inverse)
-    minors = [cancel(pairs[:, keep].det() * free.determinant) for keep in ([0, 1], [0, 2], [1, 2])]
-    return 4 * sum(Abs(minor) for minor in minors) / Abs(determinant)
+    plane = zonotope.projection(free.inverse)
+    minors = [cancel(plane[:, pair].det() * free.determinant) for pair in ([0, 1], [0, 2], [1, 2])]
+    return 4 * sum(Abs(minor) for minor in minors)
 
 
 def free_vectors(dimension: int = 3) -> tuple[ImmutableMatrix, ...]:
@@ -146,8 +153,8 @@ def area() -> Expr:
 def height() -> Expr:
     """Height of the parallelepiped of three free vectors over the plane of the first two."""
     first, second, third = free_vectors()
-    base = first.cross(second)
-    return Abs(base.dot(third)) / norm(base)
+    columns = ImmutableMatrix.hstack(first, second, third)
+    return Abs(invert(columns).determinant) / norm(first.cross(second))
 
 
 for _k in range(3):
@@ -198,3 +205,6 @@ def any_other_vector() -> ImmutableMatrix:
 def sum_of_columns() -> ImmutableMatrix:
     """Twist for three equal wheel speeds of 1 m/s: the sum of the columns of the inverse, 3 x 1."""
     return (any_directions().inverse * ones(3, 1)).applyfunc(cancel)
+
+
+REGISTRY.abbreviations[r"\det \mathbf{A}"] = determinant

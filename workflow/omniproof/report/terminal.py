@@ -1,0 +1,47 @@
+"""The ledger of one paper on a terminal: what a reader has to know of, then the counts."""
+
+from __future__ import annotations
+
+import shutil
+from collections import Counter
+from textwrap import wrap
+
+from omniproof.audit.ledger import Ledger, Row, Verdict
+
+INDENT = "    "
+
+
+def ledger_text(ledger: Ledger, width: int | None = None) -> str:
+    """Write the ledger for a terminal of `width` columns (by default, this one's)."""
+    columns = width or min(shutil.get_terminal_size((100, 24)).columns, 120)
+    faults = [_entry(row, columns) for row in ledger.rows if row.verdict.is_fault]
+    return "\n\n".join([*faults, _counts(ledger)])
+
+
+def _entry(row: Row, columns: int) -> str:
+    head = f"{row.verdict.upper()}  {row.id}  ({row.where})"
+    details = {
+        "printed": row.printed,
+        "correct": row.correction,
+        "holds for": row.assumption,
+        "witness": row.witness,
+        "follows": row.follows,
+        "note": row.note,
+    }
+    lines = [head]
+    for name, text in details.items():
+        if text:
+            lines += wrap(
+                text,
+                columns,
+                initial_indent=f"{INDENT}{name:<10}",
+                subsequent_indent=INDENT + " " * 10,
+                break_long_words=False,
+            )
+    return "\n".join(lines)
+
+
+def _counts(ledger: Ledger) -> str:
+    found = Counter(row.verdict for row in ledger.rows)
+    counts = ", ".join(f"{found[verdict]} {verdict}" for verdict in Verdict if found[verdict])
+    return f"{ledger.paper}: {ledger.claims} claims, {len(ledger.rows)} rows: {counts}"
