@@ -8,6 +8,7 @@ went well, so that a failed build leaves an earlier report untouched.
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -20,6 +21,9 @@ from omniproof.report.theme import stylesheet
 
 DATA = ("ledger.csv", "theorems.json", "tables", "figures", "simulation")
 """What the site offers for download, as it lies in the folder of results."""
+
+
+_COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 
 class BookError(RuntimeError):
@@ -99,6 +103,7 @@ def _environment() -> dict[str, str]:
 
 def _complaints(log: str, source: Path) -> str:
     """Return the lines of a log that say what is wrong, without the path of this machine."""
-    lines = log.replace(f"{source.resolve()}/", "").replace(f"{source}/", "").splitlines()
+    bare = _COLOUR.sub("", log)
+    lines = bare.replace(f"{source.resolve()}/", "").replace(f"{source}/", "").splitlines()
     wrong: Iterable[str] = [x for x in lines if "WARNING" in x or "ERROR" in x or "rror:" in x]
     return "the book was not built:\n" + "\n".join(list(dict.fromkeys(wrong)) or lines[-20:])

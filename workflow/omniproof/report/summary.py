@@ -21,8 +21,9 @@ REPORT = "book/_build/html/index.html"
 def summary(ledgers: Sequence[Ledger], theorems: Sized) -> str:
     """Return at most 24 lines of at most 80 columns; `theorems` are only counted."""
     body = [line for ledger in ledgers for line in counts_lines(ledger)]
-    if theorems:
-        body.append(f"{len(theorems)} theorems that no paper prints")
+    if len(theorems):
+        plural = "s" if len(theorems) > 1 else ""
+        body.append(f"{len(theorems)} theorem{plural} that no paper prints")
     tail = ["", f"report  {REPORT}"]
     room = HEIGHT - len(body) - len(tail) - 2
     found = consequential(ledgers, max(0, min(MOST, room)))

@@ -1,0 +1,241 @@
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omniproof.audit.ledger import Ledger, Row, Verdict
+from omniproof.report.anchors import anchor
+from omniproof.report.fragments import Chapter, Overview, in_text, values
+from omniproof.report.fragments.base import results_folder
+from omniproof.report.fragments.claims import row_html, witness_html
+from omniproof.report.fragments.theorems import markdown
+from omniproof.transcription.model import Kind
+
+ALLOWED = {"article", "details", "summary", "span", "code", "p", "dl", "div", "dt", "dd", "a"}
+TEXT = st.text(alphabet=st.sampled_from("ab<>&\"'$`\\{}=;_. "), max_size=20)
+
+
+def show_everything(chapter: Chapter) -> str:
+    fragments = [
+        chapter.claims("eq:1", "eq:5"),
+        chapter.table("tab:2["),
+        chapter.listing("tab:1[", "xref"),
+        chapter.figure(5),
+        chapter.all_theorems(),
+        chapter.rest(),
+    ]
+    return "".join(fragment.html for fragment in fragments)
+
+
+def test_every_row_has_its_address_once(chapter: Chapter, ledger: Ledger, outline: type) -> None:
+    ids = outline(show_everything(chapter)).ids
+    assert {row.id: ids.count(anchor(row.id)) for row in ledger.rows} == {
+        row.id: 1 for row in ledger.rows
+    }
+    assert len(ids) == len(set(ids))
+
+
+def test_every_link_inside_the_page_leads_somewhere(chapter: Chapter, outline: type) -> None:
+    page = outline(show_everything(chapter))
+    inside = [link[1:] for link in page.links if link.startswith("#")]
+    assert "eq-6-1-2" in inside
+    assert set(inside) <= set(page.ids)
+
+
+def test_a_chapter_gives_the_same_bytes_again(results: Path) -> None:
+    first, second = (Chapter.open("omni-arrangement", results) for _ in range(2))
+    assert show_everything(first) == show_everything(second)
+
+
+def test_a_row_cannot_be_shown_twice(chapter: Chapter) -> None:
+    chapter.claims("eq:6")
+    with pytest.raises(ValueError, match=re.escape("shown twice: eq:6[1,2]")):
+        chapter.claims("eq:6[1,2]")
+
+
+def test_a_selector_has_to_select(chapter: Chapter) -> None:
+    with pytest.raises(ValueError, match="no claim is selected by 'eq:99'"):
+        chapter.claims("eq:1", "eq:99")
+
+
+def test_the_rest_is_what_nothing_has_shown(chapter: Chapter, outline: type) -> None:
+    chapter.claims("eq", "tab", "sec", "fig")
+    assert outline(chapter.rest().html).ids == ["xref-app-d-cites-eq-12"]
+    assert outline(chapter.rest().html).ids == []
+
+
+def test_a_matrix_boxes_what_is_wrong_and_folds_what_is_right(chapter: Chapter) -> None:
+    wrong = chapter.claims("eq:6").html
+    assert r"\sin \alpha_2 - \sin \alpha_3 &amp; \boxed{\sin \alpha_1 + \sin \alpha_2}" in wrong
+    assert "1 of 2 erratum" in wrong
+    right = chapter.claims("eq:5").html
+    assert "boxed" not in right
+    assert "<summary>entry by entry</summary>" in right
+
+
+def test_the_card_of_an_erratum_says_all(chapter: Chapter, outline: type) -> None:
+    text = outline(chapter.claims("eq:10").html).text
+    for part in (
+        "✗ erratum",
+        "counterexampleat \\(\\alpha_{1}=2/7\\), \\(\\alpha_{2}=1\\): printed 1.12, derived -0.56",
+        "follows fromeq:6[1,2]",
+        "repairone edit of the printed form makes it true",
+        "consequencechanges a predicted motion or a design choice",
+        "decided byFLINT, modular arithmetic",
+    ):
+        assert part in text
+
+
+def test_a_table_cell_shows_printed_exact_interval_and_verdict(
+    chapter: Chapter, outline: type
+) -> None:
+    html = chapter.table("tab:2[", rows={"Z": "Type (Z)"}, columns={"D_A": "$D_A$"}).html
+    cell = outline(re.search(r'<td id="tab-2-Z-D_A".*?</td>', html)[0]).text  # type: ignore[index]
+    assert cell == r"\(13.85\) ≈ misrounded\(8 \sqrt{3}\)13.8564 not in [13.845, 13.855]"
+    assert "Type (Z)" in html
+
+
+def test_a_figure_has_its_alt_text_ids_of_its_own_and_its_data(
+    chapter: Chapter, outline: type
+) -> None:
+    html = chapter.figure(5).html
+    found = outline(html)
+    assert 'aria-label="A hexagon, wider than high, in each of three panels."' in html
+    assert html.count("aria-label") == 1
+    assert found.ids == ["fig-5", "fig-5-box"]
+    assert 'clip-path="url(#fig-5-box)"' in html
+    assert found.links == [
+        "figures/omni-arrangement/figure-5.svg",
+        "figures/omni-arrangement/figure-5.csv",
+    ]
+
+
+def test_a_claim_about_a_whole_figure_keeps_the_address(results: Path, ledger: Ledger) -> None:
+    row = ledger.rows[0].model_copy(update={"id": "fig:5"})
+    chapter = Chapter(ledger.model_copy(update={"rows": (row,)}), [], results)
+    assert '<figure class="drawn" id="figure-5">' in chapter.figure(5).html
+
+
+def test_a_figure_that_nobody_drew_is_named(chapter: Chapter) -> None:
+    with pytest.raises(ValueError, match=r"figures\.json: no figure 9"):
+        chapter.figure(9)
+
+
+def test_a_theorem_has_statement_and_proof(chapter: Chapter, outline: type) -> None:
+    found = outline(chapter.theorem("thm:one-measure").html)
+    assert found.ids == ["thm-one-measure"]
+    assert r"\[D_V = \frac{8}{|\det \mathbf{A}|}.\]" in found.text
+    assert found.tags.count("li") == 2
+
+
+def test_markdown_of_a_theorem_passes_no_html_on(outline: type) -> None:
+    assert "script" not in outline(markdown("<script>alert(1)</script> *so* $a<b$")).tags
+
+
+@settings(deadline=None, max_examples=100)
+@given(
+    verdict=st.sampled_from(Verdict),
+    fields=st.fixed_dictionaries(
+        dict.fromkeys(["where", "printed", "derived", "correction", "witness", "note"], TEXT)
+    ),
+)
+def test_no_text_of_a_row_becomes_markup(
+    outline: type, verdict: Verdict, fields: dict[str, str]
+) -> None:
+    row = Row(paper="p", id="eq:1", kind=Kind.IDENTITY, verdict=verdict, **fields)
+    found = outline(row_html(row, lambda _: "#x"))
+    assert set(found.tags) <= ALLOWED
+    assert found.ids == ["eq-1"]
+
+
+@pytest.mark.parametrize(
+    ("witness", "expected"),
+    [
+        pytest.param("x=1; printed=2; derived=3", r"at \(x=1\): printed 2, derived 3", id="point"),
+        pytest.param("printed=2; derived=3", "printed 2, derived 3", id="no point"),
+        pytest.param("see the page", "see the page", id="words"),
+        pytest.param("", "", id="none"),
+    ],
+)
+def test_witness(outline: type, witness: str, expected: str) -> None:
+    assert outline(witness_html(witness)).text == expected
+
+
+def test_counts_add_up(overview: Overview) -> None:
+    cells = re.findall(r'data-verdict="(\S+)">(\d+)<', overview.counts().html)
+    counts = {verdict: int(number) for verdict, number in cells}
+    assert counts == {
+        "verified": 7,
+        "conditional": 1,
+        "erratum": 4,
+        "misrounded": 1,
+        "inconsistent": 1,
+        "editorial": 1,
+        "uncheckable": 1,
+        "all": 16,
+    }
+
+
+@pytest.mark.parametrize(
+    ("what", "expected"),
+    [
+        pytest.param("claims", "11", id="claims"),
+        pytest.param("rows", "16", id="rows"),
+        pytest.param("theorems", "1", id="theorems"),
+        pytest.param("papers", "1", id="papers"),
+        pytest.param("erratum", "4", id="a verdict"),
+    ],
+)
+def test_numbers_for_the_prose(overview: Overview, what: str, expected: str) -> None:
+    assert overview.count(what).html == expected
+
+
+def test_an_unknown_number_is_refused(overview: Overview) -> None:
+    with pytest.raises(ValueError, match=r"expected a verdict or one of .* found 'pages'"):
+        overview.count("pages")
+
+
+def test_most_consequential_puts_motion_before_numbers(overview: Overview, outline: type) -> None:
+    assert outline(overview.most_consequential().html).links == [
+        "omni-arrangement.html#eq-6-1-2",
+        "omni-arrangement.html#tab-2-Z-D_A",
+        "omni-arrangement.html#eq-C-6",
+    ]
+
+
+def test_doubtful_findings_stand_apart(overview: Overview, outline: type) -> None:
+    doubtful = "omni-arrangement.html#eq-A-2-a13"
+    assert outline(overview.findings(doubtful=True).html).links == [doubtful]
+    clear = outline(overview.findings().html).links
+    assert doubtful not in clear
+    assert "omni-arrangement.html#sec-2-curvic" in clear
+
+
+def test_uncheckable_is_counted_by_class(overview: Overview, outline: type) -> None:
+    text = outline(overview.uncheckable().html).text
+    assert "figure-not-seen1a look at the figure in the PDF" in text
+
+
+def test_values_in_the_prose_are_escaped_and_marked(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown: list[tuple[Any, Any]] = []
+    monkeypatch.setattr(
+        values, "display", lambda data, raw, metadata: shown.append((data, metadata))
+    )
+    in_text(speed="<1>")
+    ((data, metadata),) = shown
+    assert list(data.values()) == ['<span class="value">&lt;1&gt;</span>']
+    assert metadata["scrapbook"]["name"] == "speed"
+
+
+def test_results_are_found_from_below(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.delenv("OMNIPROOF_RESULTS", raising=False)
+    (tmp_path / "results" / "ledger").mkdir(parents=True)
+    (tmp_path / "notebooks").mkdir()
+    assert results_folder(tmp_path / "notebooks") == tmp_path / "results"
+    monkeypatch.setenv("OMNIPROOF_RESULTS", "elsewhere")
+    assert results_folder(tmp_path) == Path("elsewhere")

@@ -1,0 +1,149 @@
+"""A small report that keeps every promise, and one fault at a time."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from omniproof.audit.ledger import Ledger
+from omniproof.report.fragments import Chapter, Overview
+from omniproof.report.validate import InvalidBookError, validate_book
+
+CHAPTER = "omni-arrangement.html"
+
+
+@pytest.fixture
+def html(tmp_path: Path, chapter: Chapter, overview: Overview, results: Path) -> Path:
+    """Pages without a theme, made of the fragments themselves."""
+    pages = {
+        CHAPTER: [chapter.counts(), chapter.figure(5), chapter.table("tab:2["), chapter.rest()],
+        "index.html": [overview.counts(), overview.most_consequential()],
+    }
+    for name, fragments in pages.items():
+        body = "".join(fragment.html for fragment in fragments)
+        (tmp_path / name).write_text(f"<title>x</title><main>{body}</main>", encoding="utf-8")
+    shutil.copytree(results / "figures", tmp_path / "figures")
+    return tmp_path
+
+
+def replaced(page: str, old: str, new: str) -> Callable[[Path], None]:
+    def change(html: Path) -> None:
+        text = (html / page).read_text(encoding="utf-8")
+        assert old in text
+        (html / page).write_text(text.replace(old, new, 1), encoding="utf-8")
+
+    return change
+
+
+def without(file: str) -> Callable[[Path], None]:
+    return lambda html: (html / file).unlink()
+
+
+def test_a_sound_report_is_valid(html: Path, ledger: Ledger, results: Path) -> None:
+    validate_book(html, [ledger], sorted(results.glob("figures/*/*.svg")))
+
+
+FAULTS = [
+    pytest.param(
+        replaced(CHAPTER, 'id="eq-1"', 'id="eq-one"'),
+        [
+            f"{CHAPTER}: eq:1 has 0 elements #eq-1, expected one",
+            f"{CHAPTER}: the link #eq-1 leads to no element",
+        ],
+        id="a claim without its address",
+    ),
+    pytest.param(
+        replaced(CHAPTER, "</main>", '<i id="eq-1"></i></main>'),
+        [
+            f"{CHAPTER}: eq:1 has 2 elements #eq-1, expected one",
+            f"{CHAPTER}: the id eq-1 occurs 2 times",
+        ],
+        id="an address twice",
+    ),
+    pytest.param(
+        replaced("index.html", 'data-verdict="erratum">4', 'data-verdict="erratum">3'),
+        ["index.html: omni-arrangement, erratum: shows 3, the ledger has 4"],
+        id="a count that is off",
+    ),
+    pytest.param(
+        replaced(CHAPTER, 'data-verdict="all"', 'data-verdict="sum"'),
+        [f"{CHAPTER}: no count of omni-arrangement, all; the ledger has 16"],
+        id="a sum that is not shown",
+    ),
+    pytest.param(
+        replaced(CHAPTER, "A hexagon, wider than high, in each of three panels.", " "),
+        [f"{CHAPTER}: #fig-5 has no alt text"],
+        id="a figure without alt text",
+    ),
+    pytest.param(
+        without("figures/omni-arrangement/figure-5.csv"),
+        [f"{CHAPTER}: the link figures/omni-arrangement/figure-5.csv leads nowhere"],
+        id="a figure without data",
+    ),
+    pytest.param(
+        replaced("index.html", "#eq-6-1-2", "#eq-6-9-9"),
+        [f"index.html: the link {CHAPTER}#eq-6-9-9 leads to no element"],
+        id="a broken link to a claim",
+    ),
+    pytest.param(
+        replaced(CHAPTER, "</main>", '<a href="../secret.txt">x</a></main>'),
+        [f"{CHAPTER}: the link ../secret.txt leads nowhere"],
+        id="a link out of the folder",
+    ),
+    pytest.param(
+        replaced(CHAPTER, "</main>", '<script src="https://cdn.example/x.js"></script></main>'),
+        [f"{CHAPTER}: asks for https://cdn.example/x.js, outside its folder"],
+        id="a script from elsewhere",
+    ),
+    pytest.param(
+        lambda html: (html / "s.css").write_text("a{background:url(//fonts.example/f.woff)}"),
+        ["s.css: asks for //fonts.example/f.woff, outside its folder"],
+        id="a font from elsewhere",
+    ),
+    pytest.param(
+        replaced(CHAPTER, "</main>", "see {ref}`eq-9` and [?]</main>"),
+        [
+            f"{CHAPTER}: an unresolved reference: [?]",
+            f"{CHAPTER}: an unresolved reference: {{ref}}`",
+        ],
+        id="a reference that was not resolved",
+    ),
+    pytest.param(
+        without(CHAPTER),
+        [f"{CHAPTER}: the chapter is missing"],
+        id="a chapter that is missing",
+    ),
+]
+
+
+@pytest.mark.parametrize(("harm", "expected"), FAULTS)
+def test_a_broken_promise_is_named(
+    html: Path, ledger: Ledger, harm: Callable[[Path], None], expected: list[str]
+) -> None:
+    harm(html)
+    with pytest.raises(InvalidBookError) as caught:
+        validate_book(html, [ledger])
+    assert set(expected) <= set(caught.value.faults)
+    gone = [f for f in caught.value.faults if f not in expected]
+    assert all("leads nowhere" in fault for fault in gone), gone
+
+
+def test_all_faults_are_named_at_once(html: Path, ledger: Ledger) -> None:
+    for harm in (FAULTS[2].values[0], FAULTS[8].values[0]):
+        harm(html)  # type: ignore[operator]
+    with pytest.raises(InvalidBookError, match="2 faults in the report"):
+        validate_book(html, [ledger])
+
+
+def test_a_figure_that_is_not_shown_is_named(html: Path, ledger: Ledger) -> None:
+    drawing = Path("results/figures/omni-arrangement/figure-6.svg")
+    with pytest.raises(InvalidBookError, match=f"{CHAPTER}: does not show figure-6.svg"):
+        validate_book(html, [ledger], [drawing])
+
+
+def test_links_to_other_sites_are_allowed(html: Path, ledger: Ledger) -> None:
+    replaced(CHAPTER, "</main>", '<a href="https://doi.org/x">x</a></main>')(html)
+    validate_book(html, [ledger])
