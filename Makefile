@@ -22,7 +22,7 @@ test: $(VENV)/ready-to-test
 	@snakefmt --check --quiet Snakefile workflow/rules
 	@mypy
 	@snakemake --lint
-	@pytest --numprocesses auto
+	@pytest --numprocesses auto --dist loadfile
 
 lock: $(VENV)/ready
 	@for name in requirements-setup requirements requirements-test; do \
