@@ -19,7 +19,7 @@ build: $(VENV)/ready
 test: $(VENV)/ready-to-test
 	@ruff check
 	@ruff format --check --quiet
-	@snakefmt --check --quiet Snakefile workflow/rules
+	@snakefmt --check Snakefile workflow/rules
 	@mypy
 	@snakemake --lint
 	@pytest --numprocesses auto --dist loadfile
