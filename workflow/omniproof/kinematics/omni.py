@@ -136,6 +136,15 @@ def _row(direction: MatrixBase, position: MatrixBase) -> list[Expr]:
     return [_tidy(speed.diff(component)) for component in twist]
 
 
+def _pythagoras(expression: Expr) -> Expr:
+    """Expand with sin^2 = 1 - cos^2: a normal form of quadratics in one angle, and a fast one."""
+    squared = expand(expression).replace(
+        lambda part: part.is_Pow and part.exp == 2 and isinstance(part.base, sin),
+        lambda part: 1 - cos(part.base.args[0]) ** 2,
+    )
+    return expand(squared)
+
+
 def _unit_vector(angle: Expr) -> ImmutableMatrix:
     return ImmutableMatrix([cos(angle), sin(angle)])
 

@@ -23,7 +23,6 @@ from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import isosceles
 from omniproof.papers.omni_arrangement.derivations.appendices import determinant_by_arcs
 from omniproof.papers.omni_arrangement.derivations.evaluation import (
-    cross_products,
     planar_columns,
     volume_by_arcs,
 )
@@ -32,6 +31,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     ANGLES,
     RADIUS,
     THETA,
+    cross_products,
     general,
     image_area,
     image_volume,

@@ -20,7 +20,6 @@ from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import isosceles
 from omniproof.papers.omni_arrangement.derivations.evaluation import (
     ARCS,
-    cross_products,
     planar_columns,
     volume_by_arcs,
 )
@@ -34,6 +33,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     V_Y,
     Platform,
     any_directions,
+    cross_products,
     first_arc,
     free_vectors,
     general,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Abs, Expr, ImmutableMatrix, Integer, Symbol, cancel, eye, pi, symbols
+from sympy import Abs, Expr, ImmutableMatrix, Integer, Symbol, eye, pi, symbols
 
 from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import CORRECTED, isosceles
@@ -13,6 +13,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     SPEEDS,
     THETA,
     any_directions,
+    cross_products,
     free_vectors,
     general,
     image_area,
@@ -171,14 +172,6 @@ def second_projection() -> ImmutableMatrix:
 def third_projection() -> ImmutableMatrix:
     """Projection of column 3."""
     return projected(2)
-
-
-def cross_products() -> tuple[Expr, Expr, Expr]:
-    """Return det A times (a_2 x a_3)_z, (a_1 x a_3)_z and (a_1 x a_2)_z, for free directions."""
-    free = any_directions()
-    columns = [free.inverse[:, k] for k in range(3)]
-    pairs = ((1, 2), (0, 2), (0, 1))
-    return tuple(cancel(columns[i].cross(columns[k])[2] * free.determinant) for i, k in pairs)
 
 
 @REGISTRY.derives("sec:3/two-cases")

@@ -77,17 +77,20 @@ def image_volume(determinant: Expr) -> Expr:
 
 
 def image_area(determinant: Expr) -> Expr:
-    """Area of the image's projection on the velocity plane, in (m/s)^2."""
-    return _area_times_determinant() / Abs(determinant)
+    """Area of the image's projection on the velocity plane, in (m/s)^2.
+
+    The projection is a zonotope of the three projected columns, with |v_k| <= 1 m/s.
+    """
+    return 4 * sum(Abs(product) for product in cross_products()) / Abs(determinant)
 
 
 @cache
-def _area_times_determinant() -> Expr:
-    """|det A| times the area, for free driven directions: it is one number."""
+def cross_products() -> tuple[Expr, Expr, Expr]:
+    """Return det A times (a_2 x a_3)_z, (a_1 x a_3)_z and (a_1 x a_2)_z, for free directions."""
     free = any_directions()
-    plane = zonotope.projection(free.inverse)
-    minors = [cancel(plane[:, pair].det() * free.determinant) for pair in ([0, 1], [0, 2], [1, 2])]
-    return 4 * sum(Abs(minor) for minor in minors)
+    columns = [free.inverse[:, k] for k in range(3)]
+    pairs = ((1, 2), (0, 2), (0, 1))
+    return tuple(cancel(columns[i].cross(columns[k])[2] * free.determinant) for i, k in pairs)
 
 
 def free_vectors(dimension: int = 3) -> tuple[ImmutableMatrix, ...]:
