@@ -19,6 +19,7 @@ from omniproof.papers.omni_arrangement.figures.parts import (
     body_faces,
     draw_axes,
     draw_body,
+    draw_triad,
     generators,
     label,
     line,
@@ -29,7 +30,8 @@ from omniproof.report.figure import Drawing, Floats, Row, long_form, points, row
 from omniproof.report.svg import ACCENT, TYPE_COLORS, stage, styled
 
 SHOWN_TYPE = "X"
-"""The type of Figures 3 and 7, where any would do."""
+VOLUME_TYPE = "Y"
+"""The types of Figures 3 and 7, where any would do; with (Y) the height is plainly no edge."""
 
 WHEEL_AXES = ("$v_1$ [m/s]", "$v_2$ [m/s]", "$v_3$ [m/s]")
 
@@ -55,29 +57,31 @@ def draw_map(frame: pd.DataFrame) -> Figure:
     figure, ax = stage(5.6)
     color = TYPE_COLORS[SHOWN_TYPE]
     for panel, view, names, letter in (
-        ("wheel speeds", View((2.0, 4.15), 0.62), WHEEL_AXES, "e"),
-        ("twists", View((2.0, 1.35), 0.72), TWIST_AXES, "a"),
+        ("wheel speeds", View((2.55, 4.25), 0.66), WHEEL_AXES, "e"),
+        ("twists", View((2.55, 1.3), 0.85), TWIST_AXES, "a"),
     ):
         draw_body(ax, body_faces(frame, panel), view, color)
-        draw_axes(ax, view, (1, 1, 1), names)
-        if letter == "a":
-            _vectors(ax, frame, panel, view)
+        draw_axes(ax, view, (1, 1, 1))
+        draw_triad(ax, View((0.3, view.origin[1] - 0.9), view.scale), names)
+        _vectors(ax, frame, panel, view, letter)
     label(ax, [0.1, 5.42], "cube $W$", ha="left")
-    label(ax, [0.1, 2.55], "image $f_{A^{-1}}(W)$", ha="left")
+    label(ax, [0.1, 2.6], "image $f_{A^{-1}}(W)$", ha="left")
     arrow(ax, [4.15, 3.2], [4.15, 2.4], lw=1.2)
-    arrow(ax, [3.95, 2.4], [3.95, 3.2], lw=1.2)
+    arrow(ax, [4.0, 2.4], [4.0, 3.2], lw=1.2)
     label(ax, [4.22, 2.8], "$f_{A^{-1}}$", ha="left")
-    label(ax, [3.88, 2.8], "$f_A$", ha="right")
+    label(ax, [3.93, 2.8], "$f_A$", ha="right")
     return figure
 
 
-def _vectors(ax: Axes, frame: pd.DataFrame, panel: str, view: View) -> None:
-    """Draw the columns a_1, a_2, a_3 with their names."""
+def _vectors(ax: Axes, frame: pd.DataFrame, panel: str, view: View, letter: str = "a") -> None:
+    """Draw the three vectors of a panel with their names."""
     start = view.place([0, 0, 0])[0]
     for k in range(1, 4):
         tip = view.place(points(frame, panel, f"a {k}"))[0]
         arrow(ax, start, tip, color=ACCENT)
-        label(ax, tip + 0.17 * (tip - start) / np.linalg.norm(tip - start), f"$a_{k}$")
+        aside = (0.1, 0.08) if letter == "e" else (0.0, 0.0)  # the unit vectors lie on the axes
+        beyond = 0.17 * (tip - start) / np.linalg.norm(tip - start)
+        label(ax, tip + beyond, f"${letter}_{k}$", aside)
 
 
 def describe_map(frame: pd.DataFrame) -> str:
@@ -85,7 +89,7 @@ def describe_map(frame: pd.DataFrame) -> str:
     reach = frame[frame["panel"] == "twists"][["x", "y", "z"]].max()
     return (
         "Above, the cube of wheel speeds between -1 and 1 m/s; below, its image under the inverse"
-        " of A for type (X), a parallelepiped that reaches"
+        f" of A for type ({SHOWN_TYPE}), a parallelepiped that reaches"
         f" {shown(reach['x'])} m/s along V_x, {shown(reach['y'])} m/s along V_y and"
         f" {shown(reach['z'])} m/s along L times the yaw rate."
     ).replace("-1", "\N{MINUS SIGN}1")
@@ -100,16 +104,17 @@ def shapes_data() -> pd.DataFrame:
 def draw_shapes(frame: pd.DataFrame) -> Figure:
     """Draw the three bodies at one scale."""
     figure, ax = stage(5.7)
-    scale = 0.44
+    scale = 0.5
     for kind, title, origin, reach in (
-        ("X", (0.1, 5.52), (0.85, 4.55), (1, 1, 1)),
-        ("Y", (2.3, 5.52), (3.05, 4.55), (2, 1, 1)),
-        ("Z", (0.1, 3.55), (2.05, 1.75), (4, 1, 3)),
+        ("X", (0.1, 5.52), (1.0, 4.6), (1, 1, 1)),
+        ("Y", (2.3, 5.52), (3.4, 4.6), (2, 1, 1)),
+        ("Z", (0.1, 3.55), (2.4, 1.8), (4, 1, 3)),
     ):
         label(ax, title, f"Type ({kind})", ha="left")
         view = View(origin, scale)
         draw_body(ax, body_faces(frame, kind), view, TYPE_COLORS[kind])
-        draw_axes(ax, view, reach, TWIST_AXES)
+        draw_axes(ax, view, reach)
+    draw_triad(ax, View((0.35, 0.45), scale), TWIST_AXES)
     return figure
 
 
@@ -129,7 +134,7 @@ def describe_shapes(frame: pd.DataFrame) -> str:
 
 def volume_data() -> pd.DataFrame:
     """Parallelepiped on a_1, a_2, a_3 from O, with the foot H of its height."""
-    columns = generators(SHOWN_TYPE)
+    columns = _level(generators(VOLUME_TYPE))
     first, second, third = columns.T
     normal = np.cross(first, second) / np.linalg.norm(np.cross(first, second))
     corner = first + second + third
@@ -142,12 +147,20 @@ def volume_data() -> pd.DataFrame:
     )
 
 
+def _level(columns: Floats) -> Floats:
+    """Turn three vectors (columns) so that the first two lie in the horizontal plane."""
+    first, second, _ = columns.T
+    forward = first / np.linalg.norm(first)
+    up = np.cross(first, second) / np.linalg.norm(np.cross(first, second))
+    return np.array([forward, np.cross(up, forward), up]) @ columns
+
+
 @styled
 def draw_volume(frame: pd.DataFrame) -> Figure:
     """Draw base, height and body."""
-    figure, ax = stage(3.3)
-    view = View((2.0, 0.75), 2.0)
-    draw_body(ax, body_faces(frame, "volume"), view, TYPE_COLORS[SHOWN_TYPE])
+    figure, ax = stage(2.75)
+    view = View((1.9, 0.6), 1.9)
+    draw_body(ax, body_faces(frame, "volume"), view, TYPE_COLORS[VOLUME_TYPE])
     tinted(ax, view.place(points(frame, "volume", "base")), ACCENT, alpha=0.3, zorder=2.2)
     _vectors(ax, frame, "volume", view)
     start, foot, tip = (
@@ -155,7 +168,7 @@ def draw_volume(frame: pd.DataFrame) -> Figure:
     )
     line(ax, [start, foot], lw=1.6)
     line(ax, [foot, tip], ls=":")
-    label(ax, foot, "$H$", (0, 0.14))
+    label(ax, foot, "$H$", (0.1, 0.12))
     label(ax, start, "$O$", (-0.05, -0.15))
     return figure
 
@@ -166,9 +179,9 @@ def describe_volume(frame: pd.DataFrame) -> str:
     base = float(np.linalg.norm(np.cross(first, second)))
     height = float(np.linalg.norm(points(frame, "volume", "H")))
     return (
-        f"A parallelepiped on a_1, a_2 and a_3 of type (X): its base, spanned by a_1 and a_2, has"
-        f" the area {shown(base, 3)}, its height OH is {shown(height, 3)}, and their product is the"
-        f" volume {shown(base * height, 3)}, all in powers of m/s."
+        f"A parallelepiped on a_1, a_2 and a_3 of type ({VOLUME_TYPE}): its base, spanned by a_1"
+        f" and a_2, has the area {shown(base, 3)} (m/s)², its height OH is {shown(height, 3)} m/s,"
+        f" and their product is the volume {shown(base * height, 3)} (m/s)³."
     )
 
 
@@ -176,8 +189,8 @@ BODIES = (
     Drawing(
         3,
         "The linear map between wheel speeds and twists",
-        "The cube W of Eq. (8) and its inverse image, here for type (X); hidden edges are dotted."
-        f" {REDRAWN}",
+        f"The cube W of Eq. (8) and its inverse image, here for type ({SHOWN_TYPE}); hidden edges"
+        f" are dotted. {REDRAWN}",
         map_data,
         draw_map,
         describe_map,
@@ -195,7 +208,8 @@ BODIES = (
         7,
         "Volume of a parallelepiped",
         "Base spanned by the first two columns of the inverse, height OH along its normal; drawn"
-        f" for type (X). The image of W has eight times this volume. {REDRAWN}",
+        f" for type ({VOLUME_TYPE}), turned so that the base is level. The image of W has eight"
+        f" times this volume. {REDRAWN}",
         volume_data,
         draw_volume,
         describe_volume,

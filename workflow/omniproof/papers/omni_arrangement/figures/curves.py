@@ -81,11 +81,11 @@ def _curve(ax: Axes, frame: pd.DataFrame, panel: str) -> None:
     ax.axvline(best, color=ACCENT, linewidth=1.0, linestyle=":")
     ax.axhline(least, color=ACCENT, linewidth=1.0, linestyle=":")
     text = f"minimum {least:.2f} at {best:.0f}°"
-    label(ax, [best, 0.5 * least], text, size=SMALL_SIZE)
+    label(ax, [best - 3, 0.5 * least], text, size=SMALL_SIZE, ha="right")
     for kind in PARAMETER:
         ((at, value),) = points(frame, panel, f"type {kind}")
         ax.plot(at, value, TYPE_MARKERS[kind], color=TYPE_COLORS[kind], ms=8, zorder=5)
-        lift = 0.07 * LIMITS[panel][1]
+        lift = 0.1 * LIMITS[panel][1]
         label(ax, [at + 3, value + lift], f"({kind}) {value:.2f}", size=SMALL_SIZE, ha="left")
 
 

@@ -23,12 +23,12 @@ REDRAWN = "Redrawn from the text and the equations; the paper's figure was not s
 TYPES = tuple(CORRECTED)
 MUTED = 0.75
 Style: TypeAlias = dict[str, Any]
-AZIMUTH, ELEVATION = np.radians(-62.0), np.radians(20.0)
+AZIMUTH, ELEVATION = np.radians(-74.0), np.radians(22.0)
 TWIST_AXES = (r"$V_x$ [m/s]", r"$V_y$ [m/s]", r"$L\dot{\phi}$ [m/s]")
 
 NAME_PLACES: Sequence[tuple[tuple[float, float], str, str]] = (
-    ((0.06, -0.02), "left", "top"),
-    ((0.05, 0.03), "left", "bottom"),
+    ((0.05, -0.02), "left", "center"),
+    ((0.05, 0.04), "left", "center"),
     ((0.0, 0.05), "center", "bottom"),
 )
 """Where the names of three axes stand from their tips: shift, and the side that touches."""
@@ -157,13 +157,18 @@ def draw_body(ax: Axes, faces: Sequence[Floats], view: View, color: str) -> None
             outlined(ax, shape, color, lw=0.9, ls=":", zorder=1.5)
 
 
-def draw_axes(ax: Axes, view: View, reach: Sequence[int], names: Sequence[str]) -> None:
-    """Draw three axes through the origin, each to its `reach`, with a dot every unit."""
-    for axis, (length, name) in enumerate(zip(reach, names, strict=True)):
-        shift, ha, va = NAME_PLACES[axis]
-        unit = np.eye(3)[axis]
-        start, end = view.place(np.array([-length * unit, (length + 0.55) * unit]))
-        arrow(ax, start, end, lw=0.8, alpha=MUTED, zorder=2.5)
+def draw_axes(ax: Axes, view: View, reach: Sequence[int]) -> None:
+    """Draw three thin axes through the origin, each to its `reach`, with a dot every unit."""
+    for unit, length in zip(np.eye(3), reach, strict=True):
+        line(ax, view.place([-(length + 0.4) * unit, (length + 0.4) * unit]), lw=0.8, alpha=MUTED)
         ticks = np.array([k * unit for k in range(-length, length + 1) if k])
-        line(ax, view.place(ticks), marker=".", ms=3.5, lw=0, alpha=MUTED, zorder=2.6)
+        line(ax, view.place(ticks), marker=".", ms=4, lw=0, alpha=MUTED, zorder=2.6)
+
+
+def draw_triad(ax: Axes, view: View, names: Sequence[str]) -> None:
+    """Draw the directions and the unit of a scene: three arrows, each one unit long."""
+    start = view.place([0, 0, 0])[0]
+    for unit, name, (shift, ha, va) in zip(np.eye(3), names, NAME_PLACES, strict=True):
+        end = view.place(unit)[0]
+        arrow(ax, start, end, lw=1.1)
         label(ax, end, name, shift, ha=ha, va=va, size=SMALL_SIZE)

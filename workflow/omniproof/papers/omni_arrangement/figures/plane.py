@@ -97,7 +97,7 @@ def sweep_data() -> pd.DataFrame:
     first, second, third = flat.T
     parts = [rows("case 1", f"a {k}", column) for k, column in enumerate(flat.T, 1)]
     parts += [rows("case 2", f"a {k}", column) for k, column in enumerate((first, second), 1)]
-    parts.append(rows("case 2", "a 3", first - second))
+    parts.append(rows("case 2", "a 3", (first - second) / 2))
     parts.append(rows("sweep", "hexagon", vertices(flat)))
     corners = {
         "P": first - second,
@@ -115,14 +115,14 @@ def sweep_data() -> pd.DataFrame:
 @styled
 def draw_sweep(frame: pd.DataFrame) -> Figure:
     """Draw (a) both cases and (b) the parallelogram swept along a_3."""
-    figure, ax = stage(5.5)
-    label(ax, [0.1, 5.32], "(a)", ha="left")
-    label(ax, [1.3, 5.32], "Case 1: always")
-    label(ax, [3.55, 5.32], "Case 2: never")
-    _layout(ax, frame, "case 1", np.array([1.25, 4.2]), 1.2)
-    _layout(ax, frame, "case 2", np.array([3.55, 4.2]), 1.2)
-    label(ax, [0.1, 2.85], "(b)", ha="left")
-    _swept(ax, frame, np.array([2.4, 1.5]), 1.12)
+    figure, ax = stage(5.45)
+    label(ax, [0.1, 5.27], "(a)", ha="left")
+    label(ax, [1.3, 5.27], "Case 1: always")
+    label(ax, [3.55, 5.27], "Case 2: never")
+    _layout(ax, frame, "case 1", np.array([1.25, 4.15]), 1.15)
+    _layout(ax, frame, "case 2", np.array([3.55, 4.15]), 1.15)
+    label(ax, [0.1, 2.95], "(b)", ha="left")
+    _swept(ax, frame, np.array([2.4, 1.57]), 1.03)
     return figure
 
 
@@ -167,7 +167,7 @@ def _swept(ax: Axes, frame: pd.DataFrame, center: Floats, scale: float) -> None:
             continue
         out = (point - center) / distance
         label(ax, point + 0.19 * out, f"${name[0]}_{name[1:]}$" if name[1:] else f"${name}$")
-    label(ax, center, "$U$")
+    label(ax, center, "$U$", (0.14, 0.42))
 
 
 def describe_sweep(frame: pd.DataFrame) -> str:
@@ -200,7 +200,7 @@ PLANE = (
         "Layout of the projected columns, and the swept hexagon",
         "(a) Since the three projected columns add up to zero, the third always lies between the"
         " opposites of the first two: Case 1; Case 2 cannot occur. (b) The parallelogram U swept"
-        f" along the third column, for type (X). {REDRAWN}",
+        f" along the third column, for type ({SWEPT_TYPE}). {REDRAWN}",
         sweep_data,
         draw_sweep,
         describe_sweep,

@@ -51,17 +51,17 @@ def types_data() -> pd.DataFrame:
 @styled
 def draw_types(frame: pd.DataFrame) -> Figure:
     """Draw three robots from above, side by side."""
-    figure, ax = stage(2.15)
+    figure, ax = stage(1.85)
     for column, kind in enumerate(TYPES):
-        center = np.array([WIDTH * (2 * column + 1) / 6, 0.95])
-        label(ax, center, f"Type ({kind})", (0, 1.05))
+        center = np.array([WIDTH / 2 + 1.55 * (column - 1), 0.85])
+        label(ax, center, f"Type ({kind})", (0, 0.82))
         _robot(ax, frame[frame["panel"] == kind], center, TYPE_COLORS[kind])
     return figure
 
 
 def _robot(ax: Axes, part: pd.DataFrame, center: Floats, color: str) -> None:
     """Draw one robot: body, triangle of the contacts, wheels with their angles."""
-    radius, size = 0.5, (0.3, 0.12)
+    radius, size = 0.42, (0.28, 0.11)
     circle(ax, center, radius)
     for row in part.itertuples():
         contact = np.array([row.x, row.y], dtype=np.float64)
@@ -70,10 +70,10 @@ def _robot(ax: Axes, part: pd.DataFrame, center: Floats, color: str) -> None:
         if str(row.series).startswith("printed"):
             dashes = {"fill": False, "edgecolor": INK, "ls": (0, (2, 1)), "lw": 1.1}
             wheel(ax, center + radius * contact, angle, size, **dashes)
-            _struck(ax, center + 0.8 * contact, text)
+            _struck(ax, center + 0.74 * contact + np.array([0.2, 0]), text)
         else:
             wheel(ax, center + radius * contact, angle, size, color=color)
-            label(ax, center + 0.76 * contact, text, size=SMALL_SIZE)
+            label(ax, center + 0.7 * contact, text, size=SMALL_SIZE)
     real = part[~part["series"].str.startswith("printed")][["x", "y"]].to_numpy(dtype=np.float64)
     line(ax, center + radius * np.vstack([real, real[:1]]), ls="--", lw=0.9, alpha=MUTED)
 
@@ -137,17 +137,17 @@ def _segment(panel: str, series: str, start: MatrixBase, end: MatrixBase) -> Ite
 @styled
 def draw_parameters(frame: pd.DataFrame) -> Figure:
     """Draw (a) the robot in the world and (b) the speeds at one wheel."""
-    figure, ax = stage(5.6)
-    label(ax, [0.1, 5.42], "(a) robot", ha="left")
-    _whole(ax, frame, np.array([2.5, 4.1]), 0.9)
-    label(ax, [0.1, 2.62], f"(b) one wheel, $k = {WHEEL + 1}$", ha="left")
+    figure, ax = stage(5.8)
+    label(ax, [0.1, 5.62], "(a) robot", ha="left")
+    _whole(ax, frame, np.array([2.5, 4.3]), 0.9)
+    label(ax, [0.1, 2.8], f"(b) one wheel, $k = {WHEEL + 1}$", ha="left")
     _neighbourhood(ax, frame, np.array([0.75, 0.25]), 1.5)
     return figure
 
 
 def _whole(ax: Axes, frame: pd.DataFrame, center: Floats, scale: float) -> None:
     """Panel (a): world axes, body axes turned by phi, wheels with q and n."""
-    corner = np.array([0.4, 3.1])
+    corner = np.array([0.4, 3.3])
     for unit, name in ((np.array([1, 0]), "$X$"), (np.array([0, 1]), "$Y$")):
         arrow(ax, corner, corner + 0.5 * unit, lw=1.0)
         label(ax, corner + 0.63 * unit, name)
@@ -213,7 +213,7 @@ def _neighbourhood(ax: Axes, frame: pd.DataFrame, origin: Floats, scale: float) 
     arrow(ax, *ends["v^T"], color=TYPE_COLORS["Y"], lw=2.4)
     label(ax, ends["v^T"].mean(axis=0) - 0.95 * inner + 0.12 * along, "$v^T$")
     arrow(ax, *ends["v^R"], color=TYPE_COLORS["Z"], lw=2.4)
-    label(ax, ends["v^R"].mean(axis=0) + 0.14 * out, r"$v^R = L\dot{\phi}$", ha="left")
+    label(ax, ends["v^R"][1], r"$v^R = L\dot{\phi}$", (0.1, 0.08), ha="left")
     arrow(ax, *(ends["v"] + inner), color=ACCENT, lw=2.4)
     label(ax, ends["v"].mean(axis=0) + 1.7 * inner + 0.5 * along, "$v$")
 
