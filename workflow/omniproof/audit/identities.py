@@ -13,7 +13,7 @@ from omniproof.audit.context import Context, entries
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.relations import merge
 from omniproof.audit.repair import repair
-from omniproof.audit.rows import answer_fields, start
+from omniproof.audit.rows import answered, start
 from omniproof.audit.zero_test import decide_equal
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.expression import evaluate
@@ -64,10 +64,8 @@ def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
 
 def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
     answer, place = _compare(cell)
-    row = start(claim, context, cell.id).model_copy(
-        update={"printed": cell.text, "derived": context.spelling.latex(cell.derived)}
-        | answer_fields(answer, context)
-    )
+    shown = {"printed": cell.text, "derived": context.spelling.latex(cell.derived)}
+    row = answered(start(claim, context, cell.id).model_copy(update=shown), answer, context)
     if row.verdict is not Verdict.ERRATUM:
         return row
     mended = _mend(cell, place, claim.id, context)

@@ -12,7 +12,7 @@ from omniproof.audit.decimals import Rounding, classify
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
 from omniproof.audit.relations import equivalent, instance, judge, merge
-from omniproof.audit.rows import answer_fields, start, with_note
+from omniproof.audit.rows import answered, start, with_note
 from omniproof.papers.registry import Obligation, Relation
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind
@@ -58,7 +58,7 @@ def _judge_value(claim: Claim, context: Context) -> Row:
     finding = classify(value, str(claim.printed))
     row = start(claim, context)
     if isinstance(finding, Undecided):
-        return row.model_copy(update=answer_fields(finding, context))
+        return answered(row, finding, context)
     verdict = _BY_ROUNDING[finding.rounding]
     row = row.model_copy(
         update={
@@ -84,7 +84,7 @@ def _judge_value(claim: Claim, context: Context) -> Row:
 def _judge_relation(claim: Claim, context: Context) -> Row:
     relation = context.relation(claim.id)
     answer = _judge_form(claim, relation, context)
-    row = start(claim, context).model_copy(update=answer_fields(answer, context))
+    row = answered(start(claim, context), answer, context)
     if not isinstance(answer, Refuted):
         return row
     engines = list(answer.engines)

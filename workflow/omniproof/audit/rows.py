@@ -2,15 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
-from sympy import Expr, GreaterThan, LessThan, StrictGreaterThan, StrictLessThan
+from sympy import (
+    Expr,
+    GreaterThan,
+    Integer,
+    LessThan,
+    StrictGreaterThan,
+    StrictLessThan,
+    pi,
+)
+from sympy.core.relational import Relational
 
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.context import Context
+from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
 from omniproof.audit.zero_test import decide_equal
+from omniproof.papers.registry import Family
 from omniproof.transcription.model import Claim
 
 
@@ -30,7 +42,7 @@ def start(claim: Claim, context: Context, row_id: str = "") -> Row:
     )
 
 
-def answer_fields(answer: Answer, context: Context) -> dict[str, Any]:
+def _fields(answer: Answer, context: Context) -> dict[str, Any]:
     """Verdict, witness, condition and engines of an answer, as an update of a row."""
     match answer:
         case Proved(engines):
@@ -42,14 +54,23 @@ def answer_fields(answer: Answer, context: Context) -> dict[str, Any]:
                 "engines": "+".join(engines),
             }
         case OnBranch(engines, _, witness):
+            condition, note = _condition(answer, context)
             return {
                 "verdict": Verdict.CONDITIONAL,
-                "assumption": _condition(answer, context),
+                "assumption": condition,
+                "note": note,
                 "witness": str(witness),
                 "engines": "+".join(engines),
             }
         case Undecided(reason):
             return {"verdict": Verdict.UNDECIDED, "note": reason}
+
+
+def answered(row: Row, answer: Answer, context: Context) -> Row:
+    """Put an answer into a row; what the engine remarks is added to the note."""
+    fields = _fields(answer, context)
+    note = fields.pop("note", "")
+    return with_note(row.model_copy(update=fields), note)
 
 
 def with_note(row: Row, *sentences: str) -> Row:
@@ -58,16 +79,30 @@ def with_note(row: Row, *sentences: str) -> Row:
     return row.model_copy(update={"note": " ".join(filter(None, [row.note, *added]))})
 
 
-def _condition(answer: OnBranch, context: Context) -> str:
-    """Write the condition in the paper's symbols; other conditions as the engine has them."""
-    signs = [_SIGNS.get(relation.func) for relation in answer.relations]
-    if not signs or not all(signs):
-        return answer.condition
-    named = [f"{_name(r.lhs - r.rhs, context)}" for r in answer.relations]
-    return r" \text{ and } ".join(f"{n} {s} 0" for n, s in zip(named, signs, strict=True))
+def _condition(answer: OnBranch, context: Context) -> tuple[str, str]:
+    """Write the condition in the paper's symbols, and in degrees where it is on one angle."""
+    signs = [relation for relation in answer.relations if relation.func in _SIGNS]
+    if len(signs) != len(answer.relations) or any(relation.rhs != 0 for relation in signs):
+        return answer.condition, answer.note
+    named = [f"{_name(relation.lhs, context)} {_SIGNS[relation.func]} 0" for relation in signs]
+    return r" \text{ and } ".join(named), _interval(signs)
 
 
 _SIGNS = {StrictGreaterThan: ">", GreaterThan: r"\geq", StrictLessThan: "<", LessThan: r"\leq"}
+
+
+def _interval(relations: Sequence[Relational]) -> str:
+    """Solve a condition on one angle over a full turn; nothing for any other condition."""
+    if len(relations) != 1 or relations[0].func is not StrictGreaterThan:
+        return ""
+    expression = relations[0].lhs
+    symbols = expression.free_symbols
+    bare = expression.replace(lambda part: part.is_Function, lambda part: Integer(1))
+    if len(symbols) != 1 or bare.free_symbols:
+        return ""
+    turn = Family(expression, dict.fromkeys(symbols, (-pi, pi)))
+    answer = sign_on(turn, 1)
+    return answer.note if isinstance(answer, OnBranch) else ""
 
 
 def _name(expression: Expr, context: Context) -> str:
