@@ -35,7 +35,9 @@ from omniproof.audit.balls import (
 from omniproof.audit.branches import find_condition
 from omniproof.audit.exact import subtract
 from omniproof.audit.normal_form import NormalForm, normal_form
+from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import Sample, sample_points
+from omniproof.audit.signs import sign_on
 from omniproof.audit.survey import is_root
 
 ENGINE = ("flint",)
@@ -137,14 +139,38 @@ class _Question:
 
     def on_branch(self, form: NormalForm, differing: list[_Probe]) -> Answer:
         condition = find_condition(form, self.difference)
+        if differing:
+            witness = differing[0].witness()
+            if condition is None:
+                return Refuted(ENGINE, witness, "it holds in a part of the domain")
+            return OnBranch(ENGINE, condition.latex, witness, relations=condition.relations)
         if condition is None:
-            if differing:
-                return Refuted(ENGINE, differing[0].witness(), "it holds in a part of the domain")
             return Undecided("it holds at every point tried, but no proof was found", ENGINE)
-        if not differing:
-            return Undecided(f"it holds where {condition.latex}", ENGINE)
-        witness = differing[0].witness()
-        return OnBranch(ENGINE, condition.latex, witness, relations=condition.relations)
+        if all(self.is_positive(part) for part in condition.parts):
+            return Proved(ENGINE, f"{condition.latex} in the domain")
+        return Undecided(f"it holds where {condition.latex}: not proved for the domain", ENGINE)
+
+    def is_positive(self, part: sp.Expr) -> bool:
+        """Prove that a formula is positive everywhere in the domain."""
+        sides = {s: self.domain.intervals[s.name] for s in part.free_symbols if self.is_limited(s)}
+        rest = part.free_symbols - set(sides)
+        shifted = part.subs({symbol: self.shifted(symbol) for symbol in rest})
+        if not sides or rest:
+            return bool(sp.expand(shifted).is_nonnegative)
+        return isinstance(sign_on(OnBox(part, sides), 1), Proved)
+
+    def is_limited(self, symbol: sp.Symbol) -> bool:
+        """Whether the domain of a symbol is bounded."""
+        lower, upper = self.domain.intervals.get(symbol.name, (-sp.oo, sp.oo))
+        return lower != -sp.oo and upper != sp.oo
+
+    def shifted(self, symbol: sp.Symbol) -> sp.Expr:
+        """Write a symbol that is bounded on one side by a positive one."""
+        lower, upper = self.domain.intervals.get(symbol.name, (-sp.oo, sp.oo))
+        positive = sp.Symbol(symbol.name, positive=True)
+        if lower == -sp.oo:
+            return symbol if upper == sp.oo else upper - positive
+        return lower + positive
 
     def proved(self, probes: list[_Probe]) -> Answer:
         """Report a proof, unless the formula is not defined anywhere in the domain."""

@@ -1,0 +1,105 @@
+"""A function over a box as a quotient N/D of functions without poles."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import sympy as sp
+from flint import fmpq
+
+from omniproof.audit.answer import Domain
+from omniproof.audit.balls import UnsupportedError, evaluate, format_ball, sign_of
+from omniproof.audit.box import Box
+from omniproof.audit.exact import vanishes
+from omniproof.audit.sampling import sample_points
+
+PROBES = 40
+QUOTIENTS = {
+    sp.tan: lambda x: sp.sin(x) / sp.cos(x),
+    sp.cot: lambda x: sp.cos(x) / sp.sin(x),
+    sp.sec: lambda x: 1 / sp.cos(x),
+    sp.csc: lambda x: 1 / sp.sin(x),
+}
+
+
+class Family(Protocol):
+    """An expression over a box: what a derivation gives, or `OnBox`."""
+
+    @property
+    def expression(self) -> sp.Expr:
+        """The function."""
+
+    @property
+    def box(self) -> Mapping[sp.Symbol, tuple[Any, Any]]:
+        """Open intervals of its symbols, with exact end points."""
+
+
+@dataclass(frozen=True)
+class OnBox:
+    """The engine's own family."""
+
+    expression: sp.Expr
+    box: Mapping[sp.Symbol, tuple[Any, Any]]
+
+
+@dataclass(frozen=True)
+class Quotient:
+    """`value` = `numerator` / `denominator` on an open box; all symbols are real."""
+
+    value: sp.Expr
+    numerator: sp.Expr
+    denominator: sp.Expr
+    box: Box
+
+    @staticmethod
+    def of(family: Family) -> Quotient:
+        """Prepare a family; raises `UnsupportedError` when its box lacks a symbol or is no box."""
+        box = Box.of(family.box)
+        signed = {
+            s: _signed(s, lower) for s, (lower, _) in zip(box.symbols, box.sides, strict=True)
+        }
+        value = (sp.S.Zero + family.expression).subs(signed)
+        box = Box(tuple(signed.values()), box.sides)
+        missing = value.free_symbols - set(box.symbols)
+        if missing:
+            raise UnsupportedError(f"no range is given for {', '.join(sorted(map(str, missing)))}")
+        plain = value
+        for function, quotient in QUOTIENTS.items():
+            plain = plain.replace(function, quotient)
+        numerator, denominator = sp.fraction(sp.together(plain))
+        return Quotient(value, numerator, denominator, box)
+
+    def at(self, point: tuple[Any, ...]) -> sp.Expr:
+        """Return the exact value at an exact point."""
+        return self.value.subs(dict(zip(self.box.symbols, point, strict=True)))
+
+    def is_pole(self, point: tuple[Any, ...]) -> bool:
+        """Whether the denominator vanishes at an exact point."""
+        place = dict(zip(self.box.symbols, point, strict=True))
+        return vanishes(self.denominator.subs(place))
+
+    def name(self, point: tuple[Any, ...]) -> dict[str, str]:
+        """Write a point for a witness."""
+        return {s.name: str(x) for s, x in zip(self.box.symbols, point, strict=True)}
+
+    def digits(self, point: tuple[Any, ...]) -> str:
+        """Write the value at a rational point, to six significant digits."""
+        place = dict(zip(self.box.symbols, point, strict=True))
+        return format_ball(evaluate(self.value, place), 6)
+
+    def find(self, expression: sp.Expr, sign: int) -> tuple[fmpq, ...] | None:
+        """Look for a rational point of the box where an expression has a certain sign."""
+        sides = {s.name: side for s, side in zip(self.box.symbols, self.box.sides, strict=True)}
+        for point in sample_points(self.box.symbols, Domain(sides), count=PROBES):
+            if sign_of(evaluate(expression, point)) == sign:
+                return tuple(point[symbol] for symbol in self.box.symbols)
+        return None
+
+
+def _signed(symbol: sp.Symbol, lower: sp.Expr) -> sp.Symbol:
+    """Give a symbol the sign that its range has, so that sqrt(x) and |x| become plain."""
+    return sp.Symbol(
+        symbol.name, **({"positive": True} if lower.is_nonnegative else {"real": True})
+    )

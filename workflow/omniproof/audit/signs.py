@@ -1,0 +1,145 @@
+"""Sign and concavity of a function over a box; with one variable, the exact set where it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import sympy as sp
+
+from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.box import Box, middle
+from omniproof.audit.exact import sign, vanishes
+from omniproof.audit.intervals import Piece, condition_latex, in_degrees, pieces_of
+from omniproof.audit.positivity import Positive, prove_positive
+from omniproof.audit.quotient import Family, OnBox, Quotient
+from omniproof.audit.sign_chart import Chart, sign_chart
+
+ENGINE = ("flint",)
+CLAIM = {1: "> 0", -1: "< 0"}
+
+
+def sign_on(family: Family, wanted: int) -> Answer:
+    """Decide whether a function is positive (1) or negative (-1) wherever it is defined.
+
+    With one variable, a sign that holds in parts is `OnBranch` with the exact set. Never raises for
+    a family: what is not decided is `Undecided`.
+    """
+    return guarded(lambda: _sign_of(Quotient.of(family), wanted))
+
+
+def concave(family: Family) -> Answer:
+    """Decide whether a function of one variable is concave; `OnBranch` gives the exact set."""
+    return guarded(lambda: _concave(family))
+
+
+def guarded(question: Callable[[], Answer]) -> Answer:
+    """Ask a question, and turn what an engine cannot do into `Undecided`."""
+    try:
+        return question()
+    except UnsupportedError as reason:
+        return Undecided(str(reason), ENGINE)
+    except RecursionError:
+        return Undecided("the formula is nested too deeply", ENGINE)
+
+
+def denominator_sign(function: Quotient) -> int:
+    """Return the sign of D wherever D is not zero; raises `UnsupportedError` when it changes."""
+    if function.denominator.is_nonnegative:
+        return 1
+    sides = dict(zip(function.box.symbols, function.box.sides, strict=True))
+    for candidate in (1, -1):
+        if isinstance(sign_on(OnBox(function.denominator, sides), candidate), Proved):
+            return candidate
+    raise UnsupportedError("no constant sign of a denominator was proved")
+
+
+def _sign_of(function: Quotient, wanted: int) -> Answer:
+    if len(function.box.symbols) == 1:
+        return _sign_on_line(function, wanted)
+    wrong = function.find(function.value, -wanted)
+    if wrong is not None:
+        witness = Witness(function.name(wrong), CLAIM[wanted], function.digits(wrong))
+        return Refuted(ENGINE, witness)
+    total = 1
+    for part in (function.numerator, function.denominator):
+        for factor in sp.Mul.make_args(part):
+            total *= _sign_of_factor(factor, function.box)
+    if total == wanted:
+        return Proved(ENGINE)
+    return Undecided("its sign is the opposite one, but no point shows that", ENGINE)
+
+
+def _sign_of_factor(factor: sp.Expr, box: Box) -> int:
+    if not factor.free_symbols:
+        return sign(factor)
+    sides = zip(box.symbols, box.sides, strict=True)
+    own = {symbol: side for symbol, side in sides if symbol in factor.free_symbols}
+    for candidate in (1, -1):
+        if len(own) == 1 and len(own) < len(box.symbols):
+            shown = isinstance(sign_on(OnBox(factor, own), candidate), Proved)
+        else:
+            shown = isinstance(prove_positive(candidate * factor, Box.of(own)), Positive)
+        if shown:
+            return candidate
+    raise UnsupportedError(f"no constant sign of {factor} was proved")
+
+
+def _sign_on_line(function: Quotient, wanted: int) -> Answer:
+    chart = _chart(function)
+    holes = [point for point in chart.points[1:-1] if not function.is_pole((point,))]
+    wrong = _point_of_sign(function.box, chart, -wanted) or (holes and (holes[0],))
+    if not wrong:
+        return Proved(ENGINE)
+    shown = function.digits(wrong) if wrong[0] not in holes else "0"
+    witness = Witness(function.name(wrong), CLAIM[wanted], shown)
+    return _on_pieces(function.box, pieces_of(chart, wanted, lambda _: False), witness)
+
+
+def _concave(family: Family) -> Answer:
+    if len(family.box) != 1:
+        return Undecided("concavity is decided for functions of one variable only", ENGINE)
+    function = Quotient.of(family)
+    (symbol,), (side,) = function.box.symbols, function.box.sides
+    curvature = Quotient.of(OnBox(sp.diff(function.value, symbol, 2), {symbol: side}))
+    if vanishes_identically(curvature.numerator):
+        return Proved(ENGINE, "it is linear")
+    chart = _chart(curvature)
+    wrong = _point_of_sign(function.box, chart, 1)
+    pieces = pieces_of(chart, -1, lambda point: not curvature.is_pole((point,)))
+    if wrong is None and len(pieces) == 1:
+        return Proved(ENGINE)
+    point = wrong or (pieces[0].upper,)
+    shown = curvature.digits(point) if wrong else "undefined"
+    witness = Witness(function.name(point), "second derivative <= 0", shown)
+    return _on_pieces(function.box, pieces, witness)
+
+
+def vanishes_identically(expression: sp.Expr) -> bool:
+    """Whether an expression without symbols is zero."""
+    return not expression.free_symbols and vanishes(expression)
+
+
+def _chart(function: Quotient) -> Chart:
+    """Chart N D, which has the sign of N/D; N alone where D cannot be negative."""
+    if function.denominator.is_nonnegative:
+        return sign_chart(function.numerator, function.box)
+    return sign_chart(function.numerator * function.denominator, function.box)
+
+
+def _point_of_sign(box: Box, chart: Chart, wanted: int) -> tuple[Any, ...] | None:
+    """Return a short rational point where the chart has a sign, None where there is none."""
+    for piece in pieces_of(chart, wanted, lambda _: False):
+        part = Box.of({box.symbols[0]: (piece.lower, piece.upper)})
+        return part.rational_near(middle(part.unit_cell, part.enclosed_sides()))
+    return None
+
+
+def _on_pieces(box: Box, pieces: tuple[Piece, ...], witness: Witness) -> Answer:
+    (symbol,) = box.symbols
+    if not pieces:
+        return Refuted(ENGINE, witness)
+    note = in_degrees(symbol, pieces)
+    relation = sp.Or(*(piece.relation(symbol) for piece in pieces))
+    return OnBranch(ENGINE, condition_latex(symbol, pieces), witness, note, (relation,))
