@@ -125,8 +125,8 @@ def test_nothing_is_cut_off_at_the_rim(number: int) -> None:
 def test_picture_is_drawn_from_the_data_alone(number: int) -> None:
     """The data scaled by 0.9 give another picture."""
     drawing = FIGURES[number]
-    scaled = {axis: frame(number)[axis].astype(float) * 0.9 for axis in "xyz"}
-    other = frame(number).assign(**scaled)
+    data: Any = frame(number)
+    other = data.assign(**{axis: 0.9 * data[axis] for axis in "xyz"})
     words = {"title": "t", "alt": "a", "prefix": "p"}
     assert svg_text(drawing.draw(other), **words) != svg_text(drawing.draw(frame(number)), **words)
 

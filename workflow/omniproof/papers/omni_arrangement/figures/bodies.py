@@ -79,8 +79,8 @@ def _vectors(ax: Axes, frame: pd.DataFrame, panel: str, view: View, letter: str 
     for k in range(1, 4):
         tip = view.place(points(frame, panel, f"a {k}"))[0]
         arrow(ax, start, tip, color=ACCENT)
-        aside = (0.1, 0.08) if letter == "e" else (0.0, 0.0)  # the unit vectors lie on the axes
-        beyond = 0.17 * (tip - start) / np.linalg.norm(tip - start)
+        aside = (0.13, 0.04) if letter == "e" else (0.0, 0.0)  # the unit vectors lie on the axes
+        beyond = 0.13 * (tip - start) / np.linalg.norm(tip - start)
         label(ax, tip + beyond, f"${letter}_{k}$", aside)
 
 
