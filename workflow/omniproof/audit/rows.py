@@ -84,25 +84,27 @@ def _condition(answer: OnBranch, context: Context) -> tuple[str, str]:
     signs = [relation for relation in answer.relations if relation.func in _SIGNS]
     if len(signs) != len(answer.relations) or any(relation.rhs != 0 for relation in signs):
         return answer.condition, answer.note
+    solved = _interval(signs)
+    if solved is not None:
+        return solved.condition, solved.note
     named = [f"{_name(relation.lhs, context)} {_SIGNS[relation.func]} 0" for relation in signs]
-    return r" \text{ and } ".join(named), _interval(signs)
+    return r" \text{ and } ".join(named), answer.note
 
 
 _SIGNS = {StrictGreaterThan: ">", GreaterThan: r"\geq", StrictLessThan: "<", LessThan: r"\leq"}
 
 
-def _interval(relations: Sequence[Relational]) -> str:
-    """Solve a condition on one angle over a full turn; nothing for any other condition."""
+def _interval(relations: Sequence[Relational]) -> OnBranch | None:
+    """Solve a condition on one angle over a full turn; None for any other condition."""
     if len(relations) != 1 or relations[0].func is not StrictGreaterThan:
-        return ""
+        return None
     expression = relations[0].lhs
     symbols = expression.free_symbols
     bare = expression.replace(lambda part: part.is_Function, lambda part: Integer(1))
     if len(symbols) != 1 or bare.free_symbols:
-        return ""
-    turn = Family(expression, dict.fromkeys(symbols, (-pi, pi)))
-    answer = sign_on(turn, 1)
-    return answer.note if isinstance(answer, OnBranch) else ""
+        return None
+    answer = sign_on(Family(expression, dict.fromkeys(symbols, (-pi, pi))), 1)
+    return answer if isinstance(answer, OnBranch) else None
 
 
 def _name(expression: Expr, context: Context) -> str:
