@@ -45,6 +45,29 @@ class Program:
             memory.append(step(memory))
         return [memory[place] for place in self.outputs]
 
+    def taylor(
+        self, point: Sequence[Ball], direction: Sequence[int], order: int
+    ) -> list[list[Ball]]:
+        """Enclose the Taylor coefficients of all outputs along a direction, up to an order.
+
+        Over a wide point they enclose the coefficients at every point in it. Undefined ones are not
+        finite.
+        """
+        old, ctx.cap = ctx.cap, order + 1
+        try:
+            lines = [arb_series([x, d], order + 1) for x, d in zip(point, direction, strict=True)]
+            return [_coefficients(result, order) for result in self.run(lines)]
+        except (ValueError, ZeroDivisionError):  # a denominator whose range contains zero
+            return [[arb.nan()] * (order + 1) for _ in self.outputs]
+        finally:
+            ctx.cap = old
+
+
+def _coefficients(result: Ball, order: int) -> list[Ball]:
+    if isinstance(result, arb_series):
+        return [result[k] for k in range(order + 1)]
+    return [result, *([arb(0)] * order)]
+
 
 def rational_ball(value: Any) -> Ball:
     """Enclose a rational number (SymPy, fmpq, Fraction or int) at the current precision."""

@@ -17,6 +17,9 @@ import sympy as sp
 from omniproof.audit.answer import Undecided
 from omniproof.audit.balls import UnsupportedError, evaluate, format_ball
 from omniproof.audit.exact import sign, subtract
+from omniproof.audit.preimage import solve_for
+
+__all__ = ["Decimal", "DecimalFinding", "Rounding", "classify", "read_decimal", "solve_for"]
 
 ENGINE = ("flint",)
 MOST_PLACES = 60

@@ -16,7 +16,7 @@ from itertools import combinations
 from typing import Any, TypeAlias
 
 import sympy as sp
-from flint import arb, arb_series, ctx, fmpq
+from flint import arb, ctx, fmpq
 
 from omniproof.audit.balls import Ball, Program, UnsupportedError, compile_balls, evaluate, sign_of
 from omniproof.audit.box import Box, Cell, halves, hull, middle
@@ -187,17 +187,8 @@ class _Search:
             hessian[i][k] = hessian[k][i] = mixed
         return all(_determinant([row[:n] for row in hessian[:n]]) > 0 for n in range(1, size + 1))
 
-    def _series(self, point: Sequence[Ball], direction: Sequence[int], order: int) -> Ball:
-        """Return the Taylor series along a direction; not finite where there is none."""
-        old, ctx.cap = ctx.cap, order + 1
-        try:
-            lines = [arb_series([x, d], order + 1) for x, d in zip(point, direction, strict=True)]
-            result = self.program.run(lines)[0]
-            return result if isinstance(result, arb_series) else arb_series([result], order + 1)
-        except (ValueError, ZeroDivisionError):  # a denominator whose range contains zero
-            return arb_series([arb.nan()] * (order + 1), order + 1)
-        finally:
-            ctx.cap = old
+    def _series(self, point: Sequence[Ball], direction: Sequence[int], order: int) -> list[Ball]:
+        return self.program.taylor(point, direction, order)[0]
 
 
 def _axis(size: int, *places: int) -> list[int]:
