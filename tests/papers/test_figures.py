@@ -103,7 +103,7 @@ def test_picture_has_same_bytes_twice_and_no_raster(number: int) -> None:
 def test_letters_are_legible_on_a_phone(number: int) -> None:
     figure = picture(number)
     pixels_per_point = PHONE / (figure.get_figwidth() * 72)
-    sizes = [text.get_fontsize() for text in figure.findobj(Text) if text.get_text()]
+    sizes = [float(text.get_fontsize()) for text in figure.findobj(Text) if text.get_text()]
     assert sizes
     assert min(sizes) * pixels_per_point >= SMALLEST
 
