@@ -52,6 +52,19 @@ def test_a_chapter_gives_the_same_bytes_again(results: Path) -> None:
     assert show_everything(first) == show_everything(second)
 
 
+def test_claims_that_a_note_names_become_links(
+    results: Path, ledger: Ledger, outline: type
+) -> None:
+    note = "differs from eq:1, eq:5[1,2] and tab:9/none."
+    row = ledger.rows[-1].model_copy(update={"note": note, "correction": "eq:6"})
+    rows = (*ledger.rows[:-1], row)
+    chapter = Chapter(ledger.model_copy(update={"rows": rows}), [], results)
+    found = outline(chapter.claims("sec:2").html)
+    assert found.links == ["#eq-1", "#eq-5-1-2", "#eq-6", "#sec-2-curvic"]
+    assert "Differs from Eq. (1), Eq. (5), row 1, column 2 and Table 9, none." in found.text
+    assert "should readEq. (6)" in found.text
+
+
 def test_a_row_cannot_be_shown_twice(chapter: Chapter) -> None:
     chapter.claims("eq:6")
     with pytest.raises(ValueError, match=re.escape("shown twice: eq:6[1,2]")):
@@ -83,7 +96,7 @@ def test_the_card_of_an_erratum_says_all(chapter: Chapter, outline: type) -> Non
     for part in (
         "✗ erratum",
         "counterexampleat \\(\\alpha_{1}=2/7\\), \\(\\alpha_{2}=1\\): printed 1.12, derived -0.56",
-        "follows fromeq:6[1,2]",
+        "follows fromEq. (6), row 1, column 2",
         "repairone edit of the printed form makes it true",
         "consequencechanges a predicted motion or a design choice",
         "decided byFLINT, modular arithmetic",
@@ -96,7 +109,7 @@ def test_a_table_cell_shows_printed_exact_interval_and_verdict(
 ) -> None:
     html = chapter.table("tab:2[", rows={"Z": "Type (Z)"}, columns={"D_A": "$D_A$"}).html
     cell = outline(re.search(r'<td id="tab-2-Z-D_A".*?</td>', html)[0]).text  # type: ignore[index]
-    assert cell == r"\(13.85\) ≈ misrounded\(8 \sqrt{3}\)13.8564 not in [13.845, 13.855]"
+    assert cell == r"\(13.85\) ≈ misrounded\(8 \sqrt{3}\)13.8564 is not in [13.845, 13.855]"
     assert "Type (Z)" in html
 
 
@@ -210,10 +223,23 @@ def test_most_consequential_puts_motion_before_numbers(overview: Overview, outli
 
 def test_doubtful_findings_stand_apart(overview: Overview, outline: type) -> None:
     doubtful = "omni-arrangement.html#eq-A-2-a13"
-    assert outline(overview.findings(doubtful=True).html).links == [doubtful]
-    clear = outline(overview.findings().html).links
-    assert doubtful not in clear
-    assert "omni-arrangement.html#sec-2-curvic" in clear
+    assert outline(overview.doubtful().html).links == [doubtful]
+    assert doubtful not in outline(overview.findings("number").html).links
+
+
+@pytest.mark.parametrize(
+    ("reach", "expected"),
+    [
+        pytest.param("motion", {"eq-6-1-2", "eq-10-a3-2"}, id="motion"),
+        pytest.param("number", {"tab-2-Z-D_A", "eq-C-6"}, id="number"),
+        pytest.param("text", {"tab-1-8", "xref-app-d-cites-eq-12", "sec-2-curvic"}, id="text"),
+    ],
+)
+def test_findings_are_told_apart_by_their_reach(
+    overview: Overview, outline: type, reach: str, expected: set[str]
+) -> None:
+    links = outline(overview.findings(reach).html).links
+    assert {link.partition("#")[2] for link in links} == expected
 
 
 def test_uncheckable_is_counted_by_class(overview: Overview, outline: type) -> None:

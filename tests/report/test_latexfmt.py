@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import re
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -61,6 +63,13 @@ def test_what_cannot_be_set_is_shown_as_code(latex: str) -> None:
 )
 def test_math(latex: str, inside: str) -> None:
     assert math(latex) == f'<span class="math notranslate nohighlight">{inside}</span>'
+
+
+def test_words_of_a_formula_can_break_into_lines() -> None:
+    html = cell(r"\mathbf{V} \text{ is in the robot frame, or } \phi = 0")
+    assert re.sub(r"<[^>]*>", "", html) == r"\(\mathbf{V}\) is in the robot frame, or \(\phi = 0\)"
+    inside = r"\frac{\text{speed of the wheel}}{2}"
+    assert cell(inside) == math(inside)
 
 
 def test_words_with_formulas_and_code() -> None:

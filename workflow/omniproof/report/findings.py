@@ -3,11 +3,25 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, to_csv
 from omniproof.report.latexfmt import is_latex
 from omniproof.transcription.model import Source, Uncheckable
+
+GRAVITY = (
+    Verdict.UNDECIDED,
+    Verdict.ERRATUM,
+    Verdict.INCONSISTENT,
+    Verdict.MODEL_GAP,
+    Verdict.MISROUNDED,
+    Verdict.CONDITIONAL,
+    Verdict.UNCHECKABLE,
+    Verdict.EDITORIAL,
+    Verdict.VERIFIED,
+)
+"""Of several verdicts the first is shown; the order of `contracts`, section 1."""
 
 REACH = (Consequence.MOTION, Consequence.NUMBER, Consequence.TEXT, Consequence.NONE)
 
@@ -18,21 +32,28 @@ def findings(ledger: Ledger) -> tuple[Row, ...]:
 
 
 def consequential(ledgers: Iterable[Ledger], limit: int) -> tuple[Row, ...]:
-    """Return the findings that matter most: by how far they reach, then in order of place.
+    """Return the findings that matter most: by how far they reach, by gravity, by what follows.
 
-    Left out: what follows from another finding, what a fault of text recognition would explain, and
-    what changes nothing but spelling.
+    What is equal in all three keeps the order of place. Left out: what follows from another
+    finding, what a fault of text recognition would explain, and what changes the text only.
     """
+    kept = tuple(ledgers)
     rows = [
         row
-        for ledger in ledgers
+        for ledger in kept
         for row in findings(ledger)
         if not row.follows
         and row.source is Source.CLEAR
         and row.verdict is not Verdict.EDITORIAL
         and row.consequence in {Consequence.MOTION, Consequence.NUMBER}
     ]
-    return tuple(sorted(rows, key=lambda row: REACH.index(row.consequence))[:limit])
+    followers = Counter((row.paper, row.follows) for ledger in kept for row in ledger.rows)
+
+    def rank(row: Row) -> tuple[int, int, int]:
+        reach, gravity = REACH.index(row.consequence), GRAVITY.index(row.verdict)
+        return reach, gravity, -followers[row.paper, row.id]
+
+    return tuple(sorted(rows, key=rank)[:limit])
 
 
 def sentence(row: Row, *, short: bool = False) -> str:

@@ -8,7 +8,10 @@ it is escaped, and LaTeX that MathJax could not set (a fragment with an open bra
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from html import escape
+
+from omniproof.transcription.model import ID
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
 _TEXT = re.compile(r"\\(?:text|mathrm|mathbf|textbf|operatorname|begin|end)\s*\{[^{}]*\}")
@@ -18,7 +21,9 @@ _FORBIDDEN = re.compile(
 )
 _ENVIRONMENT = re.compile(r"\\(begin|end)\s*\{([A-Za-z]+\*?)\}")
 _TAG = re.compile(r"\\tag\*?\s*\{[^{}]*\}|\\label\s*\{[^{}]*\}")
-_PIECE = re.compile(r"\$([^$]+)\$|`([^`]+)`")
+_CLAIM = r"\b(?:eq|tab|fig|sec|app|xref):[A-Za-z0-9](?:[\w./#-]*\w)?(?:\[[\w,]+\])?"
+_PIECE = re.compile(rf"\$([^$]+)\$|`([^`]+)`|({_CLAIM})")
+_WORDS = re.compile(r"\\text\{([^{}]*[A-Za-z]{2,} [^{}]*)\}")
 
 
 def is_latex(text: str) -> bool:
@@ -70,21 +75,47 @@ def math(latex: str, *, display: bool = False) -> str:
     return f'<span class="math notranslate nohighlight">\\({escape(body)}\\)</span>'
 
 
-def inline(text: str) -> str:
-    """Return HTML of words with `$math$` and `code` in them; everything else is escaped."""
+def inline(text: str, refer: Callable[[str], str] = escape) -> str:
+    """Return HTML of words with `$math$` and `code` in them; everything else is escaped.
+
+    `refer`: makes HTML of a claim id that the words mention.
+    """
     parts: list[str] = []
     end = 0
     for piece in _PIECE.finditer(text):
+        formula, code, claim = piece.groups()
         parts.append(escape(text[end : piece.start()]))
-        formula, code = piece.groups()
-        parts.append(math(formula) if formula else f"<code>{escape(code)}</code>")
+        if claim:
+            parts.append(refer(claim))
+        else:
+            parts.append(math(formula) if formula else f"<code>{escape(code)}</code>")
         end = piece.end()
     return "".join([*parts, escape(text[end:])])
 
 
-def cell(text: str) -> str:
-    """Return HTML of a ledger cell, whichever of the three it is."""
-    return math(text) if is_latex(text) else inline(text)
+def cell(text: str, refer: Callable[[str], str] = escape) -> str:
+    """Return HTML of a ledger cell: a formula, a decimal, or words (see `inline`)."""
+    if ID.fullmatch(text) or not is_latex(text):
+        return inline(text, refer)
+    return inline(_words_out(text)) if _WORDS.search(text) else math(text)
+
+
+def _words_out(latex: str) -> str:
+    r"""Return `A \text{ holds where } B` as `$A$ holds where $B$`, which can break into lines.
+
+    Words inside braces or environments stay where they are.
+    """
+    pieces: list[str] = []
+    end = 0
+    for words in _WORDS.finditer(latex):
+        if is_settable(latex[end : words.start()]):
+            pieces += [_dollars(latex[end : words.start()]), words[1]]
+            end = words.end()
+    return "".join([*pieces, _dollars(latex[end:])])
+
+
+def _dollars(latex: str) -> str:
+    return f"${latex.strip()}$" if latex.strip() else ""
 
 
 _NAMES = (
@@ -107,6 +138,7 @@ _SIGNS = {
     r"\\rangle(?![a-z])": "⟩",
     r"\\dots|\\ldots|\\cdots": "…",
     r"\\\|": "‖",
+    r"&": "",
     r"\\[{]": "{",
     r"\\[}]": "}",
 }

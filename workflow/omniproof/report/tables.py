@@ -8,20 +8,17 @@ from __future__ import annotations
 
 import csv
 import io
-import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from omniproof.audit.ledger import Row, read_json
 from omniproof.report.anchors import index, selects
+from omniproof.report.decimals import split_interval
 from omniproof.transcription.model import Kind
 from omniproof.transcription.paperfile import load_document
 
 NUMBERS = ("row", "column", "printed", "unit", "interval", "computed", "verdict")
 LIST = ("row", "printed", "verdict", "correction", "note")
-
-_BRACKETS = re.compile(r"[\[(]\s*[^\[\]()]*,[^\[\]()]*[\])]")
-_DECIMAL = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def write_tables(folder: Path, ledger_path: Path, outputs: Mapping[int, Path]) -> None:
@@ -67,16 +64,6 @@ def _number(cell: Row, units: Mapping[str, str]) -> Sequence[str]:
 
 def _line(cell: Row) -> Sequence[str]:
     return (",".join(index(cell.id)), cell.printed, cell.verdict, cell.correction, cell.note)
-
-
-def split_interval(text: str) -> tuple[str, str]:
-    """Return interval and exact value of `3.07920 in [3.075, 3.085]`, in either order of the two.
-
-    What is absent is empty.
-    """
-    brackets = _BRACKETS.search(text)
-    value = _DECIMAL.search(_BRACKETS.sub(" ", text))
-    return (brackets[0] if brackets else "", value[0] if value else "")
 
 
 def _csv(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

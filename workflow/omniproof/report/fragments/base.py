@@ -11,7 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from omniproof.audit.ledger import Row, Verdict
+from omniproof.audit.places import where
+from omniproof.report.decimals import split_interval
+from omniproof.report.findings import GRAVITY
+from omniproof.report.latexfmt import inline
 from omniproof.report.theme import MARKS
+from omniproof.transcription.model import ID
 
 Href = Callable[[str], str | None]
 """Claim id -> link to it from this page, or None when the claim has no address."""
@@ -62,24 +67,30 @@ def worst(rows: Iterable[Row]) -> Verdict:
     return next((verdict for verdict in GRAVITY if verdict in found), Verdict.VERIFIED)
 
 
-GRAVITY = (
-    Verdict.UNDECIDED,
-    Verdict.ERRATUM,
-    Verdict.INCONSISTENT,
-    Verdict.MODEL_GAP,
-    Verdict.MISROUNDED,
-    Verdict.CONDITIONAL,
-    Verdict.UNCHECKABLE,
-    Verdict.EDITORIAL,
-    Verdict.VERIFIED,
-)
-
-
-def link(claim_id: str, href: Href, words: str = "") -> str:
-    """Return a link to a claim, or its id alone when it has no address."""
+def link(claim_id: str, href: Href) -> str:
+    """Return the place of a claim in words, as a link when it has an address."""
     target = href(claim_id)
-    text = escape(words or claim_id)
-    return f'<a href="{escape(target)}">{text}</a>' if target else text
+    words = escape(where(claim_id) if ID.fullmatch(claim_id) else claim_id)
+    return f'<a href="{escape(target)}">{words}</a>' if target else words
+
+
+def note_html(note: str, href: Href) -> str:
+    """Return a note as a sentence; claims that it names become links."""
+    head = note[:1].upper() if re.match(r"[a-z]{2,} |a ", note) else note[:1]
+    return inline(head + note[1:], lambda claim: link(claim, href))
+
+
+def interval_html(row: Row) -> str:
+    """Return the exact value, and what the printed decimal stands for."""
+    bounds, value = split_interval(row.interval)
+    if not bounds:
+        return inline(row.interval)
+    lies = {
+        Verdict.VERIFIED: "is in",
+        Verdict.MISROUNDED: "is not in",
+        Verdict.ERRATUM: "is not in",
+    }
+    return escape(f"{value} {lies.get(row.verdict, 'beside')} {bounds}")
 
 
 def table(head: Sequence[str], rows: Iterable[str], kind: str = "") -> str:

@@ -10,7 +10,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, Row, read_json
-from omniproof.report.anchors import anchor, base, selects, unique_anchors
+from omniproof.report.anchors import anchor, base, selects
+from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.base import Fragment, results_folder
 from omniproof.report.fragments.claims import group_html, groups
 from omniproof.report.fragments.counts import accounting_html
@@ -29,8 +30,7 @@ class Chapter:
         self.theorems = tuple(t for t in theorems if ledger.paper in t.papers)
         self.results = results
         self._rows = {row.id: row for row in ledger.rows}
-        self._addresses = set(unique_anchors(self._rows).values())
-        self._bases = {base(claim_id) for claim_id in self._rows}
+        self._addresses = Addresses(ledger)
         self._shown: set[str] = set()
 
     @classmethod
@@ -65,14 +65,16 @@ class Chapter:
     def listing(self, *selectors: str) -> Fragment:
         """Show claims as a list of one line each: a nomenclature, references, spelling."""
         found = self._take(selectors)
-        return Fragment(self._boxed(found, list_html(found)), f"list {' '.join(selectors)}")
+        return Fragment(
+            self._boxed(found, list_html(found, self.href)), f"list {' '.join(selectors)}"
+        )
 
     def figure(self, number: int) -> Fragment:
         """Show figure N of the paper as it was drawn again."""
         data = f"figures/{self.ledger.paper}/figure-{number}"
         drawing = self.results / f"{data}.svg"
         about = read_about(drawing.parent, number)
-        address = f"fig-{number}" if self._claim_address(f"fig-{number}") else f"figure-{number}"
+        address = f"fig-{number}" if self._addresses.take(f"fig-{number}") else f"figure-{number}"
         html = figure_html(drawing.read_text(encoding="utf-8"), about, address, data)
         return Fragment(html, f"figure {number}")
 
@@ -94,13 +96,13 @@ class Chapter:
         return Value(cell(str(getattr(self.row(claim_id), column))))
 
     def href(self, claim_id: str) -> str | None:
-        """Return the link to a claim on this page, or None when it has no address."""
-        known = claim_id in self._rows or claim_id in self._bases
-        return f"#{anchor(claim_id)}" if known else None
+        """Return the link to a claim on this page, or None when there is no such place."""
+        address = self._addresses.find(claim_id)
+        return f"#{address}" if address else None
 
     def _cards(self, rows: Iterable[Row], name: str) -> Fragment:
         cards = (
-            group_html(group, self.href, addressed=self._claim_address(anchor(group.base)))
+            group_html(group, self.href, addressed=self._addresses.take(anchor(group.base)))
             for group in groups(rows)
         )
         return Fragment(f'<div class="claims">{"".join(cards)}</div>', f"claims {name}")
@@ -108,14 +110,8 @@ class Chapter:
     def _boxed(self, rows: Iterable[Row], html: str) -> str:
         """Put a table into a box with the address of the table that the rows are cells of."""
         whole = {base(row.id) for row in rows if base(row.id) != row.id}
-        free = [a for a in sorted(map(anchor, whole)) if self._claim_address(a)]
+        free = [a for a in sorted(map(anchor, whole)) if self._addresses.take(a)]
         return "".join(f'<span id="{address}"></span>' for address in free) + html
-
-    def _claim_address(self, address: str) -> bool:
-        """Whether an element that is no row may have this address; once given, it is taken."""
-        free = address not in self._addresses
-        self._addresses.add(address)
-        return free
 
     def _take(self, selectors: Iterable[str]) -> list[Row]:
         """Mark the selected rows as shown.

@@ -8,7 +8,15 @@ from html import escape
 
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
 from omniproof.report.anchors import anchor, base, index
-from omniproof.report.fragments.base import Href, badge, link, place_of_group, worst
+from omniproof.report.fragments.base import (
+    Href,
+    badge,
+    interval_html,
+    link,
+    note_html,
+    place_of_group,
+    worst,
+)
 from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math
 from omniproof.transcription.model import Reading, Source
 
@@ -115,7 +123,7 @@ def row_html(row: Row, href: Href, *, addressed: bool = True) -> str:
         f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
         f'<span class="printed">{cell(row.printed)}</span>'
     )
-    note = f'<p class="note">{inline(row.note)}</p>' if row.note else ""
+    note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
     body = note + facts_html(row, href)
     if row.verdict is Verdict.VERIFIED:
         return (
@@ -136,13 +144,12 @@ def facts_html(row: Row, href: Href) -> str:
 
 
 def _facts(row: Row, href: Href) -> Sequence[tuple[str, str]]:
-    differs = row.derived != row.printed
     return (
-        ("derived", cell(row.derived) if differs else ""),
-        ("should read", cell(row.correction) if row.correction != row.derived else ""),
+        ("derived", cell(row.derived) if row.derived not in {row.printed, row.correction} else ""),
+        ("should read", cell(row.correction, lambda claim: link(claim, href))),
         ("true when", cell(row.assumption)),
         ("counterexample", witness_html(row.witness)),
-        ("interval", inline(row.interval)),
+        ("exact value", interval_html(row)),
         ("follows from", link(row.follows, href) if row.follows else ""),
         ("repair", REPAIRS.get(row.repair, "")),
         ("consequence", CONSEQUENCES.get(row.consequence, "")),
@@ -186,4 +193,8 @@ def symbol_latex(name: str) -> str:
     r"""Return the LaTeX of a symbol's name: `alpha_1` becomes `\alpha_{1}`, `V_x` `V_{x}`."""
     stem, _, sub = name.partition("_")
     head = rf"\{stem}" if stem in GREEK else stem
+    if len(head) > 1 and stem not in GREEK:
+        head = rf"\mathrm{{{stem}}}"
+    if sub == "dot":
+        return rf"\dot{{{head}}}"
     return f"{head}_{{{sub}}}" if sub else head

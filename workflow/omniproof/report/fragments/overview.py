@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from html import escape
 from pathlib import Path
 
-from omniproof.audit.ledger import Ledger, Row, Verdict, read_json
+from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, read_json
 from omniproof.report.anchors import anchor
 from omniproof.report.findings import consequential, findings, sentence, uncheckable_class
-from omniproof.report.fragments.base import Fragment, badge, link, results_folder, table
+from omniproof.report.fragments.addresses import Addresses
+from omniproof.report.fragments.base import (
+    Fragment,
+    Href,
+    badge,
+    link,
+    note_html,
+    results_folder,
+    table,
+)
 from omniproof.report.fragments.claims import CONSEQUENCES
 from omniproof.report.fragments.counts import accounting_html, verdict_counts
 from omniproof.report.fragments.theorems import Theorem, read_theorems
@@ -34,6 +43,7 @@ class Overview:
     def __init__(self, ledgers: Iterable[Ledger], theorems: Iterable[Theorem]) -> None:
         self.ledgers = tuple(ledgers)
         self.theorems = tuple(theorems)
+        self._addresses = {ledger.paper: Addresses(ledger) for ledger in self.ledgers}
 
     @classmethod
     def open(cls, results: Path | None = None) -> Overview:
@@ -85,18 +95,41 @@ class Overview:
         )
         return Fragment(table(["class", "rows", "decided by"], rows), "uncheckable by class")
 
-    def findings(self, *, doubtful: bool = False) -> Fragment:
-        """Show every finding; `doubtful`: those that a fault of text recognition would explain."""
-        rows = [
+    def findings(self, *reach: str) -> Fragment:
+        """Show the findings that reach as far as one of `motion`, `number`, `text`.
+
+        Findings of which a fault of text recognition would be an explanation are left out.
+        """
+        wanted = [Consequence(word) for word in reach]
+        return self._listed(
             row
-            for ledger in self.ledgers
-            for row in findings(ledger)
-            if (row.source is not Source.CLEAR) == doubtful
-        ]
-        if not rows:
+            for row in self._all_findings()
+            if row.source is Source.CLEAR and (row.consequence or Consequence.TEXT) in wanted
+        )
+
+    def doubtful(self) -> Fragment:
+        """Show the findings that a fault of text recognition would explain."""
+        return self._listed(row for row in self._all_findings() if row.source is not Source.CLEAR)
+
+    def _all_findings(self) -> Iterator[Row]:
+        return (row for ledger in self.ledgers for row in findings(ledger))
+
+    def _listed(self, rows: Iterable[Row]) -> Fragment:
+        lines = [_finding(row, self._href(row.paper)) for row in rows]
+        if not lines:
             return Fragment("<p>None.</p>", "no findings")
         head = ["place", "printed and correct", "remark"]
-        return Fragment(table(head, map(_finding, rows), "findings"), "findings")
+        return Fragment(table(head, lines, "findings"), "findings")
+
+    def _href(self, paper: str) -> Href:
+        """Return how a page of the book links to a claim of a paper."""
+        known = self._addresses[paper]
+
+        def href(claim_id: str) -> str | None:
+            address = known.find(claim_id)
+            return f"{paper}.html#{address}" if address else None
+
+        return href
 
     def verdicts(self) -> Fragment:
         """Show what every verdict means."""
@@ -104,31 +137,25 @@ class Overview:
         return Fragment(table(["verdict", "meaning"], rows), "verdicts")
 
 
-def href(row: Row) -> str:
-    """Return the permanent address of a row from any page of the book."""
-    return f"{row.paper}.html#{anchor(row.id)}"
-
-
 def _place(row: Row) -> str:
-    return f'<a href="{escape(href(row))}">{escape(row.where)}</a>'
+    return f'<a href="{escape(row.paper)}.html#{anchor(row.id)}">{escape(row.where)}</a>'
 
 
-def _finding(row: Row) -> str:
-    follows = ""
-    if row.follows:
-        target = f"{row.paper}.html#{anchor(row.follows)}"
-        follows = f" Follows from {link(row.follows, lambda _: target)}."
+def _finding(row: Row, href: Href) -> str:
+    follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
     consequence = CONSEQUENCES.get(row.consequence, "")
     correct = row.correction or row.derived
     return (
         f'<tr class="v-{row.verdict}"><td>{_place(row)}<br>{badge(row.verdict)}</td>'
-        f"<td>{_line('printed', row.printed)}{_line('correct', correct)}</td>"
-        f"<td><p>{inline(row.note)}{follows}</p>"
+        f"<td>{_line('printed', row.printed, href)}{_line('correct', correct, href)}"
+        f"{_line('true when', row.assumption, href)}</td>"
+        f"<td><p>{note_html(row.note, href)}{follows}</p>"
         f'<p class="quiet">{consequence}</p></td></tr>'
     )
 
 
-def _line(word: str, text: str) -> str:
+def _line(word: str, text: str, href: Href) -> str:
     if not text:
         return ""
-    return f'<p class="line"><span class="quiet">{word}</span> {cell(text)}</p>'
+    shown = cell(text, lambda claim: link(claim, href))
+    return f'<p class="line"><span class="quiet">{word}</span> {shown}</p>'

@@ -7,7 +7,7 @@ from html import escape
 
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.report.anchors import anchor, index
-from omniproof.report.fragments.base import Href, badge, table
+from omniproof.report.fragments.base import Href, badge, interval_html, link, note_html, table
 from omniproof.report.fragments.claims import row_html
 from omniproof.report.latexfmt import cell, inline
 
@@ -36,18 +36,18 @@ def beside_html(rows: Sequence[Row], href: Href, columns: Labels, lines: Labels)
 def _cell(row: Row | None) -> str:
     if row is None:
         return "<td></td>"
-    interval = f'<span class="interval">{inline(row.interval)}</span>' if row.interval else ""
+    interval = f'<span class="interval">{interval_html(row)}</span>' if row.interval else ""
     return (
         f'<td id="{anchor(row.id)}" class="v-{row.verdict}"><b class="value">{cell(row.printed)}'
         f'</b> {badge(row.verdict)}<span class="exact">{cell(row.derived)}</span>{interval}</td>'
     )
 
 
-def list_html(rows: Sequence[Row]) -> str:
+def list_html(rows: Sequence[Row], href: Href) -> str:
     """Return one line per row: printed, verdict, what there is to say (a nomenclature, say)."""
     body = []
     for row in rows:
-        said = "".join(f"<p>{part}</p>" for part in _said(row) if part)
+        said = "".join(f"<p>{part}</p>" for part in _said(row, href) if part)
         body.append(
             f'<tr id="{anchor(row.id)}" class="v-{row.verdict}">'
             f'<th scope="row">{cell(row.printed) or escape(row.where)}</th>'
@@ -56,6 +56,7 @@ def list_html(rows: Sequence[Row]) -> str:
     return table(["printed", "verdict", "remark"], body, "list")
 
 
-def _said(row: Row) -> Sequence[str]:
+def _said(row: Row, href: Href) -> Sequence[str]:
     corrected = row.correction or (row.derived if row.verdict is not Verdict.VERIFIED else "")
-    return (inline(row.note), f"should read: {cell(corrected)}" if corrected else "")
+    target = cell(corrected, lambda claim: link(claim, href))
+    return (note_html(row.note, href), f"should read: {target}" if corrected else "")
