@@ -31,7 +31,7 @@ def test_result_is_made(built, target):
     [
         pytest.param(
             "paper_data/omni-arrangement/paper.yaml",
-            "Check what was transcribed from omni-arrangement",
+            "Audit omni-arrangement",
             {"Prove what no paper prints", "Draw the figures of omni-arrangement"},
             id="a claim",
         ),
@@ -77,7 +77,7 @@ def test_report_has_captions_and_labels(built):
 
 
 def test_bad_paper_stops_make_with_its_message_last(project):
-    project.touch_only(but="check")
+    project.touch_only(but="audit")
     kept = project.folder / "results/ledger/omni-arrangement.json"
     kept.parent.mkdir(parents=True)
     kept.write_text("earlier")
@@ -85,13 +85,13 @@ def test_bad_paper_stops_make_with_its_message_last(project):
     paper.write_text(paper.read_text().replace("kind: identity", "kind: identty", 1))
     done = project.run("make", "--old-file=.venv/ready", "build")
     lines = [line for line in done.stdout.splitlines() if not line.startswith("make")]
-    failed = lines.index("Failed: Check what was transcribed from omni-arrangement")
+    failed = lines.index("Failed: Audit omni-arrangement")
     assert done.returncode
     assert lines[failed + 1].startswith("paper_data/omni-arrangement/paper.yaml:")
     assert "identity" in lines[failed + 2]
     assert lines[-2:] == [
         "1 fault in paper_data/omni-arrangement/paper.yaml",
-        "Log: logs/check/omni-arrangement.log",
+        "Log: logs/audit/omni-arrangement.log",
     ]
     assert "Traceback" not in done.stdout
     assert kept.read_text() == "earlier"

@@ -111,7 +111,7 @@ def test_what_a_script_imports_is_an_input(jobs, root):
     ("source", "steps"),
     [
         pytest.param(
-            "papers/omni_arrangement/figures.py",
+            "papers/omni_arrangement/figures/curves.py",
             {"figures_omni_arrangement"},
             id="drawings are drawn",
         ),

@@ -38,4 +38,4 @@ def test_functions_and_files_are_short(file):
     tree, lines = ast.parse(text), text.splitlines()
     functions = [x for x in ast.walk(tree) if isinstance(x, ast.FunctionDef)]
     assert [f.name for f in functions if len(code_lines(f, lines)) > 50] == []
-    assert len(lines) <= 400
+    assert len(lines) <= 400 or file.parts[0] == "tests"

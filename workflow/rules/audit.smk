@@ -8,41 +8,22 @@ REQUIRED INPUTS:
     papers      = workflow/omniproof/papers/{paper}/theorems*
 
 OUTPUTS:
-    checked  = results/checked/{paper}.json
     ledger   = results/ledger/{paper}.json
     table    = results/ledger.csv
     theorems = results/theorems.json
 """
 
 
-rule check:
-    """Check what was transcribed from {wildcards.paper}"""
-    input:
-        data=lambda wildcards: paper_data(wildcards.paper),
-        readings=lambda wildcards: readings_of(wildcards.paper),
-        derivations=lambda wildcards: paper_module(wildcards.paper, "derivations"),
-        package=package("audit.run"),
-    output:
-        # Bad input stops the run here, and then even this file stays as it was.
-        checked=update("results/checked/{paper}.json"),
-    log:
-        "logs/check/{paper}.log",
-    benchmark:
-        "results/benchmarks/check/{paper}.tsv"
-    script:
-        "../scripts/check.py"
-
-
 rule audit:
     """Audit {wildcards.paper}"""
     input:
-        checked="results/checked/{paper}.json",
         data=lambda wildcards: paper_data(wildcards.paper),
         readings=lambda wildcards: readings_of(wildcards.paper),
         derivations=lambda wildcards: paper_module(wildcards.paper, "derivations"),
         package=package("audit.run", "audit.ledger"),
     output:
-        ledger="results/ledger/{paper}.json",
+        # Bad input stops the run here and leaves the earlier ledger, and all that rests on it.
+        ledger=update("results/ledger/{paper}.json"),
     log:
         "logs/audit/{paper}.log",
     benchmark:
