@@ -82,7 +82,7 @@ class AtomReader(SymbolReader, ABC):
         if token.kind in {"number", "symbol", "accent", "font", "function", "begin"}:
             return True
         if token.text in {"|", "\\|"}:
-            return token.text not in self.bars
+            return token.kind == "open" or (token.kind == "sign" and token.text not in self.bars)
         return token.kind in {"sign", "command"} and token.text in self.rules
 
     def atom(self) -> Node:
@@ -100,7 +100,7 @@ class AtomReader(SymbolReader, ABC):
             node = self.cases() if token.text == "cases" else self.matrix()
         elif self.at_symbol():
             node = self.named()
-        elif token.kind in {"sign", "command"} and token.text in self.rules:
+        elif token.kind in {"sign", "command", "open"} and token.text in self.rules:
             node = self.rules[token.text](start)
         else:
             self.expected("a number, a symbol or a bracket", _habit(token.text))
@@ -229,12 +229,14 @@ class AtomReader(SymbolReader, ABC):
         return Tuple(items, "set", span=self.since(start))
 
     def between_bars(self, start: int) -> Node:
-        r"""bars = "|" sum "|" | "\|" sum "\|"."""
+        r"""bars = "|" entry "|" | "\|" entry "\|"; plain bars end at the first that may."""
         opened = self.take()
-        self.bars.append(opened.text)
-        inner = self.entry()
-        self.close(opened, opened.text)
-        self.bars.pop()
+        with self.sealed():
+            self.bars = [] if opened.kind == "open" else [opened.text]
+            inner = self.entry()
+            if opened.kind == "open" and self.peek().kind != "close":
+                self.expected(f"`\\right{opened.text}`", "balance the bars")
+            self.close(opened, opened.text)
         kind = Absolute if opened.text == "|" else Norm
         return kind(inner, span=self.since(start))
 

@@ -95,6 +95,12 @@ def _list(nodes: tuple[tree.Node, ...]) -> str:
     return ", ".join(latex(item) for item in nodes)
 
 
+def _bars(node: tree.Node, bar: str) -> str:
+    """Write bars that show their direction where others stand inside."""
+    nested = any(isinstance(item, tree.Norm | tree.Absolute) for item in tree.walk(node))
+    return f"\\left{bar}{latex(node)}\\right{bar}" if nested else f"{bar}{latex(node)}{bar}"
+
+
 def _fraction(node: tree.Quotient) -> str:
     return f"\\frac{{{latex(node.numerator)}}}{{{latex(node.denominator)}}}"
 
@@ -115,8 +121,8 @@ _RULES: dict[type[tree.Node], Callable[[Any], str]] = {
     tree.Transpose: lambda node: f"{_in(node.operand, ATOM)}^T",
     tree.Call: _call,
     tree.Inner: lambda node: f"\\langle {latex(node.left)}, {latex(node.right)} \\rangle",
-    tree.Norm: lambda node: f"\\|{latex(node.operand)}\\|",
-    tree.Absolute: lambda node: f"|{latex(node.operand)}|",
+    tree.Norm: lambda node: _bars(node.operand, "\\|"),
+    tree.Absolute: lambda node: _bars(node.operand, "|"),
     tree.Determinant: lambda node: f"\\det[{_list(node.columns)}]",
     tree.Component: lambda node: f"({latex(node.vector)})_{node.axis}",
     tree.Tuple: _tuple,

@@ -242,9 +242,9 @@ def symbol_name(latex: str) -> str:
     Raises `LatexError` when the text is not one symbol.
     """
     reader = SymbolReader(latex, declared=None)
-    letters = "".join(token.text for token in reader.tokens)
-    if len(letters) > 1 and letters.isalpha():
-        return letters
+    word = latex.strip()
+    if len(word) > 1 and word.isascii() and word.isalpha():
+        return word
     prefix = "\\det " if reader.consume("\\det") else ""
     name = prefix + reader.symbol()
     if reader.peek() is not END:

@@ -15,7 +15,7 @@ from difflib import get_close_matches
 from omniproof.transcription.tree import Span
 
 MAX_LENGTH = 10_000
-MAX_DEPTH = 64
+MAX_DEPTH = 32
 EXCERPT = 70
 
 
@@ -85,8 +85,7 @@ KINDS = {
 
 SYNONYMS = {
     "\\le": "\\leq", "\\ge": "\\geq", "\\ne": "\\neq", "\\leqslant": "\\leq",
-    "\\geqslant": "\\geq", "\\iff": "\\Leftrightarrow", "\\lvert": "|", "\\rvert": "|",
-    "\\vert": "|", "\\lVert": "\\|", "\\rVert": "\\|", "\\Vert": "\\|", "\\lbrace": "\\{",
+    "\\geqslant": "\\geq", "\\iff": "\\Leftrightarrow", "\\vert": "|", "\\Vert": "\\|", "\\lbrace": "\\{",
     "\\rbrace": "\\}", "\\dfrac": "\\frac", "\\tfrac": "\\frac", "\\wedge": "\\land",
     "\\vee": "\\lor", "\\lt": "<", "\\gt": ">",
     "−": "-", "·": "\\cdot", "×": "\\times", "≤": "\\leq", "≥": "\\geq", "≠": "\\neq",
@@ -125,6 +124,8 @@ RULES = (
     ("text", r"\\(?:text|mbox|textrm)\s*\{[^{}]*\}"),
     ("begin", r"\\begin\s*\{[^{}]{0,20}\}(?:\s*\{[lcr|]+\})?"),
     ("end", r"\\end\s*\{[^{}]{0,20}\}"),
+    ("open", r"\\left\s*\\?\||\\l[vV]ert(?![A-Za-z])"),
+    ("close", r"\\right\s*\\?\||\\r[vV]ert(?![A-Za-z])"),
     ("word", r"\\[A-Za-z]+"),
     ("blank", r"\\ "),
     ("row", r"\\\\"),
@@ -161,6 +162,8 @@ def _scan(source: str) -> Iterator[Token]:
         kind, text = match.lastgroup or "", match.group()
         if kind in {"word", "sign", "symbol"}:
             kind, text = _classify(kind, SYNONYMS.get(text, text))
+        if kind in {"open", "close"}:
+            text = "\\|" if "\\|" in text or "V" in text else "|"
         if kind in {"begin", "end"}:
             text = text[text.index("{") + 1 : text.index("}")].strip().rstrip("*")
             kind = "space" if text in FRAMES else kind

@@ -1,0 +1,206 @@
+"""Values against hand-derived ones; shapes that do not fit are refused."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from sympy import (
+    Abs,
+    And,
+    Eq,
+    ImmutableMatrix,
+    Integer,
+    Lt,
+    Matrix,
+    Or,
+    Piecewise,
+    Rational,
+    Symbol,
+    atan,
+    atan2,
+    cos,
+    pi,
+    sin,
+    sqrt,
+    symbols,
+)
+
+from omniproof.transcription.expression import evaluate, names
+from omniproof.transcription.reader import LatexError, read
+from omniproof.transcription.tree import Applied, Name
+
+a, b, c, x, theta = symbols("a b c x theta", real=True)
+u = ImmutableMatrix([1, 2, 2])
+v = ImmutableMatrix([0, 3, 4])
+p = ImmutableMatrix([1, 2])
+q = ImmutableMatrix([3, 5])
+M = ImmutableMatrix([[1, 2], [3, 4]])
+MEANINGS: dict[str, Any] = {
+    "a": a, "b": b, "c": c, "x": x, "\\theta": theta,
+    "u": u, "v": v, "p": p, "q": q, "M": M,
+    "D_V": 8 / a, "f": lambda first, second: first - 2 * second,
+}  # fmt: skip
+
+VALUES = [
+    pytest.param("3.08", Rational(77, 25), id="decimals are exact"),
+    pytest.param("0.1 + 0.2", Rational(3, 10), id="no floats on the way"),
+    pytest.param(r"30^\circ", pi / 6, id="degrees become radians"),
+    pytest.param(r"22.5^\circ", pi / 8, id="decimal degrees"),
+    pytest.param("a - b - c", a - b - c, id="differences"),
+    pytest.param("-a^2", -(a**2), id="a sign binds less than a power"),
+    pytest.param("a/b/c", a / (b * c), id="slashes from the left"),
+    pytest.param(r"\tan^{-1}\frac{a}{b} + \sqrt{2}", atan(a / b) + sqrt(2), id="inverse function"),
+    pytest.param(r"\operatorname{atan2}(a, b)", atan2(a, b), id="function of two"),
+    pytest.param(r"\sin 2\theta \cos \theta", sin(2 * theta) * cos(theta), id="functions"),
+    pytest.param(r"\langle u, v \rangle", Integer(14), id="inner product"),
+    pytest.param(r"u \cdot v", Integer(14), id="dot of vectors"),
+    pytest.param(r"3 \cdot a", 3 * a, id="dot of numbers"),
+    pytest.param(r"u \times v", Matrix([2, -4, 3]), id="cross product"),
+    pytest.param(r"p \times q", Matrix([0, 0, -1]), id="cross product in the plane"),
+    pytest.param(r"(p \times q)_z", Integer(-1), id="its component"),
+    pytest.param(r"2 \times a", 2 * a, id="times between numbers"),
+    pytest.param(r"\|u\|", Integer(3), id="norm of a vector"),
+    pytest.param(r"|a|\|b\|", Abs(a) * Abs(b), id="norm of a number"),
+    pytest.param(r"\det[u, v, u \times v]", Integer(29), id="determinant of columns"),
+    pytest.param(r"\det M", Integer(-2), id="determinant of a declared matrix"),
+    pytest.param(r"\det(M^{-1})", Rational(-1, 2), id="determinant of an inverse"),
+    pytest.param("M^{-1}", Matrix([[-2, 1], [Rational(3, 2), -Rational(1, 2)]]), id="inverse"),
+    pytest.param("M^{-2}M^2", Matrix([[1, 0], [0, 1]]), id="powers of a matrix"),
+    pytest.param("M^T", Matrix([[1, 3], [2, 4]]), id="transpose"),
+    pytest.param("p^T q", Integer(13), id="row times column is a number"),
+    pytest.param("p q^T", Matrix([[3, 5], [6, 10]]), id="column times row is a matrix"),
+    pytest.param("(a, b)^T", Matrix([a, b]), id="a tuple on its side is a column"),
+    pytest.param("(a, b)", Matrix([a, b]), id="and so it is as printed"),
+    pytest.param("a(1, b)", Matrix([a, a * b]), id="a number times a vector"),
+    pytest.param("(p, q)", Matrix([[1, 3], [2, 5]]), id="a tuple of columns is a matrix"),
+    pytest.param(r"\begin{bmatrix} p & q \end{bmatrix}", Matrix([[1, 3], [2, 5]]), id="blocks"),
+    pytest.param(r"\begin{pmatrix} a & 1 \\ 0 & b \end{pmatrix}(x, 2)",
+                 Matrix([a * x + 2, 2 * b]), id="matrix times vector"),
+    pytest.param(r"\frac{p}{2}", Matrix([Rational(1, 2), 1]), id="vector over number"),
+    pytest.param(r"\{30^\circ, a\}", (pi / 6, a), id="a set is a list"),
+    pytest.param("a = b = 2", (a, b, Integer(2)), id="a chain is its sides"),
+    pytest.param("= b", (b,), id="a continued chain"),
+    pytest.param("a = 1, b = 2", ((a, Integer(1)), (b, Integer(2))), id="equations"),
+    pytest.param("a < b", Lt(a, b), id="comparison"),
+    pytest.param("0 < a < b", And(Lt(0, a), Lt(a, b)), id="comparisons in a row"),
+    pytest.param(r"a < b \text{ or } a = c", Or(Lt(a, b), Eq(a, c)), id="equation in a condition"),
+    pytest.param(r"a < b \Leftrightarrow c < x", (Lt(a, b), Lt(c, x)), id="equivalence"),
+    pytest.param(r"\{a p \mid |a| < 1\}", (a * p, Lt(Abs(a), 1)), id="set by a condition"),
+    pytest.param(r"\begin{cases} a & x > 0 \\ b & x < 0 \end{cases}",
+                 Piecewise((a, x > 0), (b, x < 0)), id="cases"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "value"), VALUES)
+def test_value(text: str, value: Any) -> None:
+    assert evaluate(read(text), MEANINGS, text) == value
+
+
+def test_the_printed_form_is_not_evaluated() -> None:
+    tree = read("-a + a")
+    assert evaluate(tree, MEANINGS) == 0
+    assert len(names(tree)) == 1
+    assert tree == read("-a + a") != read("a - a")
+
+
+def test_arguments_of_a_quantity() -> None:
+    symbols_, quantities = ["a", "b"], ["D_V", "f"]
+    assert evaluate(read("D_V(b)", None, symbols_, quantities), MEANINGS) == 8 / a
+    assert evaluate(read("f(b, 3)", None, symbols_, quantities), MEANINGS) == b - 6
+    tree = read("D_V(b)", None, symbols_, quantities)
+    assert isinstance(tree, Applied)
+    assert tree.arguments == (Name("b"),)
+
+
+REFUSED = [
+    pytest.param("a + D_W", [
+        "unknown symbol `D_W`",
+        "    a + D_W",
+        "        ~~^",
+        "    did you mean `D_V`?"], id="almost a symbol"),
+    pytest.param("a + k", [
+        "unknown symbol `k`",
+        "    a + k",
+        "        ^",
+        "    declare it among the symbols of the paper"], id="no symbol"),
+    pytest.param("a + p", [
+        "cannot add a vector of 2 to a number",
+        "    a + p",
+        "    ~~~~^"], id="number and vector"),
+    pytest.param("p + u", [
+        "cannot add a vector of 3 to a vector of 2",
+        "    p + u",
+        "    ~~~~^"], id="vectors of two lengths"),
+    pytest.param("M u", [
+        "cannot multiply a 2×2 matrix by a vector of 3",
+        "    M u",
+        "    ~~^"], id="matrix and vector"),
+    pytest.param("p q", [
+        "cannot multiply a vector of 2 by a vector of 2",
+        "    p q",
+        "    ~~^"], id="two columns"),
+    pytest.param(r"\langle p, u \rangle", [
+        "no inner product of a vector of 2 and a vector of 3",
+        r"    \langle p, u \rangle",
+        "    ~~~~~~~~~~~~~~~~~~~^"], id="inner product"),
+    pytest.param(r"2\sin p", [
+        "expected a number, found a vector of 2",
+        r"    2\sin p",
+        "          ^"], id="sine of a vector"),
+    pytest.param("a/(b - b)", [
+        "cannot divide by 0",
+        "    a/(b - b)",
+        "      ~~~~~~^"], id="division by zero"),
+    pytest.param("(p, p)^{-1}", [
+        "cannot invert a singular matrix",
+        "    (p, p)^{-1}",
+        "    ~~~~~~~~~~^"], id="singular"),
+    pytest.param("u^{-1}", [
+        "expected a square matrix, found a vector of 3",
+        "    u^{-1}",
+        "    ^"], id="inverse of a vector"),
+    pytest.param("a^T", [
+        "cannot transpose a number",
+        "    a^T",
+        "    ~~^"], id="transposed number"),
+    pytest.param("|M|", [
+        "expected a number, found a 2×2 matrix",
+        "    |M|",
+        "     ^"], id="absolute value of a matrix"),
+    pytest.param("(p)_z", [
+        "no component z in a vector of 2",
+        "    (p)_z",
+        "    ~~~~^"], id="component"),
+    pytest.param("(p, u)", [
+        "expected numbers only, or vectors of one length only",
+        "    (p, u)",
+        "    ~~~~~^"], id="columns of two lengths"),
+    pytest.param(r"\begin{matrix} p & u \end{matrix}", [
+        "the parts of the matrix do not fit together",
+        r"    \begin{matrix} p & u \end{matrix}",
+        "    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~^"], id="blocks"),
+    pytest.param(r"\det[p, q, p]", [
+        "expected 3 vectors of 3",
+        r"    \det[p, q, p]",
+        "    ~~~~~~~~~~~~^"], id="determinant"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "lines"), REFUSED)
+def test_message(text: str, lines: list[str]) -> None:
+    with pytest.raises(LatexError) as refused:
+        evaluate(read(text), MEANINGS, text)
+    assert str(refused.value).split("\n") == lines
+
+
+def test_without_the_source_a_message_shows_the_part() -> None:
+    with pytest.raises(LatexError) as refused:
+        evaluate(read("b + (a + p)"), MEANINGS)
+    assert str(refused.value).split("\n")[1] == "    a + p"
+
+
+def test_symbols_of_any_assumption_serve() -> None:
+    assert (
+        evaluate(read("a^2"), {"a": Symbol("a", positive=True)}) == Symbol("a", positive=True) ** 2
+    )

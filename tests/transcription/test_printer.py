@@ -1,0 +1,138 @@
+"""What is written reads back: as the same tree, and with the same value."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from sympy import N, Rational
+
+from omniproof.transcription import tree
+from omniproof.transcription.expression import evaluate
+from omniproof.transcription.model import Notation
+from omniproof.transcription.printer import latex
+from omniproof.transcription.reader import LatexError, read
+
+POINT = {
+    "a": Rational(2, 7), "b_1": Rational(-5, 3), "\\theta": Rational(11, 13),
+    "\\dot{\\phi}": Rational(9, 4), "v_k^T": Rational(-3, 11), "\\det A": Rational(7, 5),
+}  # fmt: skip
+LEAVES = st.one_of(
+    st.integers(0, 99).map(lambda number: tree.Number(str(number))),
+    st.integers(0, 999).map(lambda number: tree.Number(f"{number / 100:.2f}")),
+    st.integers(0, 360).map(lambda number: tree.Degrees(str(number))),
+    st.just(tree.Pi()),
+    st.sampled_from(sorted(POINT)).map(tree.Name),
+)
+
+
+def _branches(parts: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
+    some = st.lists(parts, min_size=2, max_size=3).map(tuple)
+    functions = st.sampled_from(["sin", "cos", "arctan", "sqrt"])
+    return st.one_of(
+        some.map(tree.Sum),
+        some.map(tree.Product),
+        parts.map(tree.Negative),
+        parts.map(tree.Absolute),
+        parts.map(tree.Norm),
+        st.builds(tree.Dot, parts, parts),
+        st.builds(tree.Cross, parts, parts),
+        st.builds(tree.Quotient, parts, parts),
+        st.builds(tree.Power, parts, st.integers(-2, 3)),
+        st.builds(tree.Call, functions, parts),
+    )
+
+
+TREES = st.recursive(LEAVES, _branches, max_leaves=10)
+
+
+def value(node: tree.Node) -> Any:
+    """The value of a tree, by another route than the code under test."""
+    match node:
+        case tree.Number(text) | tree.Degrees(text):
+            factor = mpmath.pi / 180 if isinstance(node, tree.Degrees) else 1
+            return mpmath.mpf(text) * factor
+        case tree.Pi():
+            return mpmath.pi
+        case tree.Name(name):
+            return mpmath.mpf(int(POINT[name].p)) / int(POINT[name].q)
+        case tree.Sum(terms):
+            return sum(value(term) for term in terms)
+        case tree.Product(factors):
+            return mpmath.fprod(value(factor) for factor in factors)
+        case tree.Dot(left, right) | tree.Cross(left, right):
+            return value(left) * value(right)
+        case tree.Quotient(above, below):
+            return value(above) / value(below)
+        case tree.Negative(inner):
+            return -value(inner)
+        case tree.Absolute(inner) | tree.Norm(inner):
+            return abs(value(inner))
+        case tree.Power(base, exponent):
+            return value(base) ** exponent
+        case tree.Call(name, argument):
+            function = {"arctan": "atan"}.get(name, name)
+            return getattr(mpmath, function)(value(argument))
+    raise AssertionError(node)
+
+
+@settings(deadline=None, max_examples=150)
+@given(TREES)
+def test_random_trees_keep_their_value(node: tree.Node) -> None:
+    read_back = read(latex(node), Notation(), ["v_k^T"])
+    with mpmath.workdps(40):
+        try:
+            expected = value(node)
+        except ZeroDivisionError:
+            assume(False)
+        assume(mpmath.isfinite(expected) and abs(expected) < 1e30)
+        try:
+            found = evaluate(read_back, POINT)
+        except LatexError:
+            assume(False)
+        difference = abs(mpmath.mpmathify(N(found, 40)) - expected)
+        assert difference <= mpmath.mpf(10) ** -25 * (1 + abs(expected))
+
+
+FORMS = [
+    r"\{a, b\} = \{30^\circ, 150^\circ\}",
+    r"\{x \mid |a| \leq 1\}",
+    r"\langle \mathbf{a}, (b, c)^T \rangle + L\dot{\phi}",
+    r"D_V(\theta_1, \theta_2) = 8 / \det \mathbf{A}",
+    r"(\hat{\mathbf{a}}_1 \times \hat{\mathbf{a}}_2)_z (a - b)_x < 0",
+    r"\begin{pmatrix} -\sin a & 1 \\ 0 & b \end{pmatrix}^{-1} \begin{pmatrix} x \\ y \end{pmatrix}",
+    r"\begin{cases} 4\|a \times b\| & x < 0 \text{ and } y > 0 \\ -b & x > 0 \end{cases}",
+    r"a < b \text{ or } (c < x \text{ and } 0 < y)",
+    r"= a = b",
+    r"\Leftrightarrow a < b",
+    r"a = 1, b = 2",
+    r"\det[a, b, c] + \det(\mathbf{A}^{-1}) + \operatorname{atan2}(y, x)",
+    r"2 \cdot 3 \times (a + b) \cdot (c d)",
+    r"-(-a) - (b - c) + (-x)",
+    r"(2 (a b) c / 3) 4 (5)(x)^{2}",
+    r"\sqrt{2} \sin^2(x) |a||b|",
+]
+
+
+@pytest.mark.parametrize("text", FORMS)
+def test_forms_read_back_as_the_same_tree(text: str) -> None:
+    node = read(text, Notation(slash="first"), [], ["D_V"])
+    assert read(latex(node), Notation(), [], ["D_V"]) == node
+
+
+WRITTEN = [
+    pytest.param("a - b/c", r"a - \frac{b}{c}", id="fractions"),
+    pytest.param(r"\sin 2\theta\cos\theta", r"\sin(2 \theta) \cos(\theta)", id="arguments"),
+    pytest.param(r"-L \sin\alpha_1 + L \sin\alpha_1",
+                 r"-L \sin(\alpha_1) + L \sin(\alpha_1)", id="a misprint stays"),
+    pytest.param("2(3)", "2 * 3", id="numbers do not run together"),
+    pytest.param("(a + b)^{-1}", "(a + b)^{-1}", id="brackets"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "written"), WRITTEN)
+def test_written(text: str, written: str) -> None:
+    assert latex(read(text)) == written
