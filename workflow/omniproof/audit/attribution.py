@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Consequence, Row, Verdict
-from omniproof.transcription.model import Kind
+from omniproof.transcription.model import Form, Kind
 
 
 def attribute(rows: Sequence[Row], context: Context) -> list[Row]:
@@ -16,7 +16,7 @@ def attribute(rows: Sequence[Row], context: Context) -> list[Row]:
     finished = []
     for row in rows:
         follows = _recurrence(row, first_by_print) or _premise(row, context, faults)
-        fields = {"follows": follows, "consequence": _consequence(row)}
+        fields = {"follows": follows, "consequence": _consequence(row, context)}
         finished.append(row.model_copy(update=fields))
     return finished
 
@@ -54,13 +54,17 @@ def _only_here(row: Row, context: Context) -> bool:
     return count_faults(context.claims[row.id.partition("[")[0]], stated) == 0
 
 
-def _consequence(row: Row) -> Consequence:
-    """`motion` for a formula or a statement on motion; steps of a proof and wording are `text`."""
+_STEPS_OF_ARGUMENTS = {Form.POSITIVE, Form.NEGATIVE, Form.CONCAVE, Form.EQUIVALENT}
+
+
+def _consequence(row: Row, context: Context) -> Consequence:
+    """`motion` for a formula or a choice between designs; steps of an argument are `text`."""
     if not row.verdict.is_fault:
         return Consequence.NONE
     if row.kind is Kind.VALUE:
         return Consequence.NUMBER
-    in_a_proof = row.id.startswith("app:")
-    if row.kind in {Kind.IDENTITY, Kind.RELATION} and not in_a_proof:
-        return Consequence.MOTION
-    return Consequence.TEXT
+    if row.kind not in {Kind.IDENTITY, Kind.RELATION} or row.id.startswith("app:"):
+        return Consequence.TEXT
+    asserts = context.claims[row.id].asserts if row.kind is Kind.RELATION else None
+    in_an_argument = asserts is not None and asserts.form in _STEPS_OF_ARGUMENTS
+    return Consequence.TEXT if in_an_argument else Consequence.MOTION
