@@ -7,7 +7,7 @@ INSTALL := uv pip install --quiet --compile-bytecode --require-hashes --requirem
 export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export VIRTUAL_ENV := $(CURDIR)/$(VENV)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
-# Modules that are not compiled cost every step two seconds.
+# Modules that are compiled anew in every process cost more than most steps.
 unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: build test lock clean help

@@ -17,6 +17,8 @@ os.environ.update(
     PYTHONHASHSEED="0",
     MPLBACKEND="Agg",
 )
+# Modules that are compiled anew in every step cost more than most steps.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
 try:
     settings = read_settings(Path("workflow/config.yaml"), overrides=config)
