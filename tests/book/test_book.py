@@ -16,6 +16,7 @@ import pytest
 
 from omniproof.report.book import BookError, build, read_ledgers, stage
 from omniproof.report.fragments import Chapter, Fragment, Overview
+from omniproof.report.fragments.overview import read_edition
 from omniproof.report.validate import validate_book
 
 ROOT = Path(__file__).parents[2]
@@ -23,6 +24,7 @@ RESULTS = ROOT / "tests" / "report" / "fixtures" / "results"
 BUILT = ROOT / "book" / "_build" / "html"
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 HARNESS = (Path(__file__).parent / "harness.html").read_text(encoding="utf-8")
+FILES = ("ledger.csv", "findings.csv", "findings.json", "theorems.json", "references.bib")
 USUAL = ("[PST]", "[togglebutton]")  # what the theme tells the console on every page
 
 
@@ -85,7 +87,7 @@ def test_no_page_names_a_folder_of_this_machine(pages: Path) -> None:
 
 
 def test_data_lies_beside_the_pages(pages: Path) -> None:
-    for name in ("ledger.csv", "findings.csv", "findings.json", "theorems.json"):
+    for name in FILES:
         assert (pages / name).is_file(), name
     assert list((pages / "figures").glob("*/figure-*.csv"))
 
@@ -142,6 +144,16 @@ def test_browser_finds_what_is_wrong(small: Path, tmp_path: Path) -> None:
     assert index["bare"] == ["x"]
     assert index["width"] > 360
     assert "trouble" in console
+
+
+@pytest.mark.parametrize(
+    "paper", sorted(p.parent.name for p in ROOT.glob("paper_data/*/paper.yaml"))
+)
+def test_bibliography_has_every_paper(paper: str) -> None:
+    edition = read_edition(ROOT / "paper_data" / paper)
+    text = (ROOT / "book" / "references.bib").read_text(encoding="utf-8")
+    assert edition.title in text
+    assert f"{{{edition.year}}}" in text
 
 
 def test_two_builds_give_the_same_bytes(small: Path, tmp_path: Path) -> None:

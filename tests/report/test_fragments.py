@@ -13,8 +13,9 @@ from omniproof.report.anchors import anchor
 from omniproof.report.fragments import Chapter, Overview, in_text, values
 from omniproof.report.fragments.base import results_folder
 from omniproof.report.fragments.claims import row_html, witness_html
+from omniproof.report.fragments.overview import edition_html
 from omniproof.report.fragments.theorems import markdown
-from omniproof.transcription.model import Kind
+from omniproof.transcription.model import Edition, Kind
 
 ALLOWED = {"article", "details", "summary", "span", "code", "p", "dl", "div", "dt", "dd", "a"}
 TEXT = st.text(alphabet=st.sampled_from("ab<>&\"'$`\\{}=;_. "), max_size=20)
@@ -55,13 +56,16 @@ def test_a_chapter_gives_the_same_bytes_again(results: Path) -> None:
 def test_claims_that_a_note_names_become_links(
     results: Path, ledger: Ledger, outline: type
 ) -> None:
-    note = "differs from eq:1, eq:5[1,2] and tab:9/none."
+    note = "wheel matrix. differs from eq:1, eq:5[1,2] and tab:9/none."
     row = ledger.rows[-1].model_copy(update={"note": note, "correction": "eq:6"})
     rows = (*ledger.rows[:-1], row)
     chapter = Chapter(ledger.model_copy(update={"rows": rows}), [], results)
     found = outline(chapter.claims("sec:2").html)
     assert found.links == ["#eq-1", "#eq-5-1-2", "#eq-6", "#sec-2-curvic"]
-    assert "Differs from Eq. (1), Eq. (5), row 1, column 2 and Table 9, none." in found.text
+    assert (
+        "Wheel matrix. Differs from Eq. (1), Eq. (5), row 1, column 2 and Table 9, none."
+        in found.text
+    )
     assert "should readEq. (6)" in found.text
 
 
@@ -177,6 +181,25 @@ def test_no_text_of_a_row_becomes_markup(
 )
 def test_witness(outline: type, witness: str, expected: str) -> None:
     assert outline(witness_html(witness)).text == expected
+
+
+def test_editions_name_the_text_that_was_read(outline: type) -> None:
+    html = edition_html(
+        "p",
+        Edition(
+            title="On <wheels>",
+            authors=("A. One", "B. Two"),
+            year=1999,
+            venue="Journal 1(2), 3",
+            source="p.txt",
+            sha256="0123456789abcdef" * 4,
+        ),
+    )
+    assert outline(html).text == (
+        "On <wheels>A. One, B. Two. Journal 1(2), 3, 1999."
+        "Text recognition p.txt, SHA-256 0123456789abcdef…"
+    )
+    assert outline(html).links == ["p.html"]
 
 
 def test_counts_add_up(overview: Overview) -> None:

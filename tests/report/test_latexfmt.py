@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.report.latexfmt import cell, inline, is_latex, is_settable, math, plain
+from omniproof.report.latexfmt import cell, inline, is_latex, is_settable, math, plain, same
 
 
 @pytest.mark.parametrize(
@@ -15,6 +15,7 @@ from omniproof.report.latexfmt import cell, inline, is_latex, is_settable, math,
         pytest.param(r"\sin \alpha_1 + \sin \alpha_2", True, id="formula"),
         pytest.param("13.85", True, id="decimal"),
         pytest.param("D_A", True, id="symbol"),
+        pytest.param("D_{Vol}", True, id="symbol with a word below"),
         pytest.param(r"8 / \det \mathbf{A} \text{ [m/s]}^3", True, id="formula with a unit"),
         pytest.param("the shapes are hexagons", False, id="words"),
         pytest.param("Curvic", False, id="one word"),
@@ -65,6 +66,19 @@ def test_math(latex: str, inside: str) -> None:
     assert math(latex) == f'<span class="math notranslate nohighlight">{inside}</span>'
 
 
+@pytest.mark.parametrize(
+    ("latex", "other", "expected"),
+    [
+        pytest.param(r"\sin {\alpha_1}", r"\sin \alpha_1", True, id="braces"),
+        pytest.param(r"a &= b - c", "b-c", True, id="left side"),
+        pytest.param("a + b", "a - b", False, id="sign"),
+        pytest.param("", "", False, id="nothing is not a formula"),
+    ],
+)
+def test_same(latex: str, other: str, expected: bool) -> None:
+    assert same(latex, other) is expected
+
+
 def test_words_of_a_formula_can_break_into_lines() -> None:
     html = cell(r"\mathbf{V} \text{ is in the robot frame, or } \phi = 0")
     assert re.sub(r"<[^>]*>", "", html) == r"\(\mathbf{V}\) is in the robot frame, or \(\phi = 0\)"
@@ -92,6 +106,8 @@ def test_nothing_becomes_an_element(outline: type, text: str) -> None:
         pytest.param(r"\frac{16 \sqrt{3}}{9}", "(16 √3)/9", id="fraction, root"),
         pytest.param(r"\frac{1}{2}", "1/2", id="plain fraction"),
         pytest.param(r"30^{\circ}", "30°", id="degrees"),
+        pytest.param(r"\widetilde{a}_{2,1}", "a₂,₁", id="two indices"),
+        pytest.param(r"x &= a \times b", "x = a × b", id="aligned, product"),
         pytest.param(r"(\det \mathbf{A})^{-1}", "(det A)⁻¹", id="exponent, bold"),
         pytest.param(r"\alpha_1 \leq \alpha_2", "α₁ ≤ α₂", id="sign"),
         pytest.param(r"\begin{pmatrix} 1 \\ 2 \end{pmatrix} x", "[…] x", id="matrix"),

@@ -50,6 +50,8 @@ def stage(book: Path, results: Path, source: Path) -> None:
         shutil.copyfile(notebook, source / notebook.name)
     (source / "_static" / "verdicts.css").write_text(stylesheet(), encoding="utf-8")
     _stage_data(results, source / "extra")
+    for bibliography in sorted(book.glob("*.bib")):
+        shutil.copyfile(bibliography, source / "extra" / bibliography.name)
 
 
 def _stage_data(results: Path, extra: Path) -> None:

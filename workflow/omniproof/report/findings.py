@@ -63,6 +63,9 @@ def sentence(row: Row, *, short: bool = False) -> str:
     """
     printed = "" if short and not is_latex(row.printed) else f"{_quoted(row.printed)} "
     if row.correction:
+        left, sign, right = row.correction.partition("=")
+        if short and sign and row.printed.startswith(left + sign):
+            return f"{_quoted(row.printed.removeprefix(left + sign))} should read {_quoted(right)}"
         return f"{printed}should read {_quoted(row.correction)}"
     if row.assumption:
         return f"{printed}holds only when {_quoted(row.assumption)}"
@@ -70,6 +73,7 @@ def sentence(row: Row, *, short: bool = False) -> str:
 
 
 def _quoted(text: str) -> str:
+    text = text.strip()
     return f"${text}$" if is_latex(text) else text
 
 

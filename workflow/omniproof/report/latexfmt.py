@@ -14,7 +14,9 @@ from html import escape
 from omniproof.transcription.model import ID
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
-_TEXT = re.compile(r"\\(?:text|mathrm|mathbf|textbf|operatorname|begin|end)\s*\{[^{}]*\}")
+_TEXT = re.compile(
+    r"[_^]\{[A-Za-z]+\}|\\(?:text|mathrm|mathbf|textbf|operatorname|begin|end)\s*\{[^{}]*\}"
+)
 _FORBIDDEN = re.compile(
     r"\\(?:href|url|require|def|let|newcommand|renewcommand|newenvironment|class|style|cssId|data"
     r"|unicode|bbox|includegraphics|[()\[\]])(?![A-Za-z])|(?<!\\)[%#$]"
@@ -128,7 +130,8 @@ _SIGNS = {
     r"\\geq?(?![a-z])": "≥",
     r"\\neq?(?![a-z])": "≠",
     r"\\pm(?![a-z])": "±",
-    r"\\(?:cdot|times)(?![a-z])": "·",
+    r"\\cdot(?![a-z])": "·",
+    r"\\times(?![a-z])": "×",
     r"\\(?:to|rightarrow)(?![a-z])": "→",
     r"\\Leftrightarrow(?![a-z])": "⇔",
     r"\^\{?\\circ\}?": "°",
@@ -145,6 +148,12 @@ _SIGNS = {
 _SUPERSCRIPT = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _ARGUMENT = r"\{([^{}]*)\}"
+
+
+def same(latex: str, other: str) -> bool:
+    """Whether two formulas differ at most in braces, spaces, alignment and a left side."""
+    one, two = (re.sub(r"[{}\s&]|\\left(?![a-z])|\\right(?![a-z])", "", x) for x in (latex, other))
+    return bool(one) and (one == two or one.endswith("=" + two))
 
 
 def plain(text: str) -> str:
@@ -171,7 +180,7 @@ def _flatten(text: str) -> str:
         text,
     )
     text = re.sub(r"\^\{?([0-9+-]+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
-    text = re.sub(r"_\{?(\d+)\}?", lambda m: m[1].translate(_SUBSCRIPT), text)
+    text = re.sub(r"_(?:\{([\d,]+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_SUBSCRIPT), text)
     return re.sub(rf"([_^]){_ARGUMENT}", r"\1\2", text)
 
 

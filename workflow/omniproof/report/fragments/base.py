@@ -18,6 +18,8 @@ from omniproof.report.latexfmt import inline
 from omniproof.report.theme import MARKS
 from omniproof.transcription.model import ID
 
+_SENTENCE = re.compile(r"(?:^|(?<=\. ))[a-z](?=[a-z]*,? )(?!\w*_)")
+
 Href = Callable[[str], str | None]
 """Claim id -> link to it from this page, or None when the claim has no address."""
 
@@ -76,8 +78,8 @@ def link(claim_id: str, href: Href) -> str:
 
 def note_html(note: str, href: Href) -> str:
     """Return a note as a sentence; claims that it names become links."""
-    head = note[:1].upper() if re.match(r"[a-z]{2,} |a ", note) else note[:1]
-    return inline(head + note[1:], lambda claim: link(claim, href))
+    sentences = _SENTENCE.sub(lambda found: found[0].upper(), note)
+    return inline(sentences, lambda claim: link(claim, href))
 
 
 def interval_html(row: Row) -> str:

@@ -17,8 +17,10 @@ from omniproof.report.fragments.base import (
     place_of_group,
     worst,
 )
-from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math
-from omniproof.transcription.model import Reading, Source
+from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math, same
+from omniproof.transcription.model import Kind, Reading, Source
+
+FOLDED = frozenset({Verdict.VERIFIED, Verdict.UNCHECKABLE})
 
 ENGINES: Mapping[str, str] = {
     "flint": "FLINT",
@@ -117,7 +119,7 @@ def _boxed(row: Row) -> str:
 
 
 def row_html(row: Row, href: Href, *, addressed: bool = True) -> str:
-    """Return the card of one row: a line that unfolds when it is verified, open otherwise."""
+    """Return the card of one row: a line that unfolds when nothing is wrong with it, else open."""
     address = f' id="{anchor(row.id)}"' if addressed else ""
     head = (
         f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
@@ -125,7 +127,7 @@ def row_html(row: Row, href: Href, *, addressed: bool = True) -> str:
     )
     note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
     body = note + facts_html(row, href)
-    if row.verdict is Verdict.VERIFIED:
+    if row.verdict in FOLDED:
         return (
             f'<details class="claim v-{row.verdict}"{address}>'
             f"<summary>{head}</summary>{body}</details>"
@@ -144,14 +146,15 @@ def facts_html(row: Row, href: Href) -> str:
 
 
 def _facts(row: Row, href: Href) -> Sequence[tuple[str, str]]:
+    shown_already = same(row.printed, row.derived) or same(row.correction, row.derived)
     return (
-        ("derived", cell(row.derived) if row.derived not in {row.printed, row.correction} else ""),
+        ("derived", "" if shown_already else cell(row.derived)),
         ("should read", cell(row.correction, lambda claim: link(claim, href))),
         ("true when", cell(row.assumption)),
         ("counterexample", witness_html(row.witness)),
         ("exact value", interval_html(row)),
         ("follows from", link(row.follows, href) if row.follows else ""),
-        ("repair", REPAIRS.get(row.repair, "")),
+        ("repair", REPAIRS.get(row.repair, "") if row.kind is Kind.IDENTITY else ""),
         ("consequence", CONSEQUENCES.get(row.consequence, "")),
         ("source", SOURCES.get(row.source, "")),
         ("read as", READINGS.get(row.reading, "")),

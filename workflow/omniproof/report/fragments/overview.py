@@ -26,7 +26,8 @@ from omniproof.report.fragments.theorems import Theorem, read_theorems
 from omniproof.report.fragments.values import Value
 from omniproof.report.latexfmt import cell, inline
 from omniproof.report.theme import MARKS
-from omniproof.transcription.model import Source, Uncheckable
+from omniproof.transcription.model import Edition, Source, Uncheckable
+from omniproof.transcription.paperfile import load_document
 
 DECIDED_BY: Mapping[str, str] = {
     Uncheckable.FIGURE_NOT_SEEN: "a look at the figure in the PDF",
@@ -40,8 +41,11 @@ DECIDED_BY: Mapping[str, str] = {
 class Overview:
     """All papers at once; links lead to the chapters."""
 
-    def __init__(self, ledgers: Iterable[Ledger], theorems: Iterable[Theorem]) -> None:
+    def __init__(
+        self, ledgers: Iterable[Ledger], theorems: Iterable[Theorem], papers: Path = Path()
+    ) -> None:
         self.ledgers = tuple(ledgers)
+        self.papers = papers
         self.theorems = tuple(theorems)
         self._addresses = {ledger.paper: Addresses(ledger) for ledger in self.ledgers}
 
@@ -50,7 +54,15 @@ class Overview:
         """Open every ledger of the folder of results (found from the working folder)."""
         folder = results or results_folder()
         ledgers = [read_json(path) for path in sorted((folder / "ledger").glob("*.json"))]
-        return cls(ledgers, read_theorems(folder / "theorems.json"))
+        return cls(ledgers, read_theorems(folder / "theorems.json"), folder.parent / "paper_data")
+
+    def editions(self) -> Fragment:
+        """Show which text of every paper was audited, from `paper_data/<paper>/paper.yaml`."""
+        items = (
+            edition_html(ledger.paper, read_edition(self.papers / ledger.paper))
+            for ledger in self.ledgers
+        )
+        return Fragment(f'<ul class="editions">{"".join(items)}</ul>', "editions")
 
     def counts(self) -> Fragment:
         """Show the verdicts of every paper as bars and a table."""
@@ -135,6 +147,23 @@ class Overview:
         """Show what every verdict means."""
         rows = (f"<tr><td>{badge(v)}</td><td>{mark.meaning}</td></tr>" for v, mark in MARKS.items())
         return Fragment(table(["verdict", "meaning"], rows), "verdicts")
+
+
+def read_edition(folder: Path) -> Edition:
+    """Read which text of a paper was audited from the folder of what it prints."""
+    document = load_document(folder / "paper.yaml").values
+    return Edition.model_validate(document["edition"] if isinstance(document, dict) else None)
+
+
+def edition_html(paper: str, edition: Edition) -> str:
+    """Return one paper's title (a link to its chapter), authors, venue and the text's checksum."""
+    authors = ", ".join(edition.authors)
+    return (
+        f'<li><a href="{escape(paper)}.html"><cite>{escape(edition.title)}</cite></a><br>'
+        f"{escape(authors)}. {escape(edition.venue)}, {edition.year}.<br>"
+        f'<span class="quiet">Text recognition {escape(edition.source)}, SHA-256 '
+        f"<code>{edition.sha256[:16]}…</code></span></li>"
+    )
 
 
 def _place(row: Row) -> str:

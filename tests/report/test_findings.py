@@ -1,0 +1,90 @@
+from __future__ import annotations
+
+import csv
+import io
+import json
+from typing import Any
+
+import pytest
+
+from omniproof.audit.ledger import COLUMNS, Consequence, Ledger, Row, Verdict
+from omniproof.report.findings import consequential, findings_csv, findings_json, sentence
+
+FAULT = {"paper": "p", "kind": "identity", "verdict": "erratum", "where": "Eq. (1)"}
+
+
+def fault(**fields: Any) -> Row:
+    return Row.model_validate(FAULT | {"id": "eq:1", "consequence": "motion"} | fields)
+
+
+def test_findings_are_the_faults_with_every_column(ledger: Ledger) -> None:
+    lines = list(csv.DictReader(io.StringIO(findings_csv([ledger]))))
+    assert tuple(lines[0]) == COLUMNS
+    assert lines == json.loads(findings_json([ledger]))
+    assert [line["id"] for line in lines] == [
+        "eq:6[1,2]",
+        "eq:10/a3[2]",
+        "tab:1[8]",
+        "tab:2[Z,D_A]",
+        "eq:A.2/a13",
+        "eq:C.6",
+        "xref:app-d-cites-eq-12",
+        "sec:2/curvic",
+    ]
+
+
+def test_order_of_consequence() -> None:
+    """Reach first, then gravity, then what follows, then place."""
+    rows = [
+        fault(id="eq:1", consequence=Consequence.NUMBER),
+        fault(id="eq:2", verdict=Verdict.CONDITIONAL),
+        fault(id="eq:3"),
+        fault(id="eq:4"),
+        fault(id="eq:5", follows="eq:4"),
+        fault(id="eq:6", consequence=Consequence.TEXT),
+        fault(id="eq:7", source="doubtful"),
+    ]
+    ledger = Ledger(paper="p", claims=7, rows=tuple(rows))
+    found = [row.id for row in consequential([ledger], 10)]
+    assert found == ["eq:4", "eq:3", "eq:2", "eq:1"]
+    assert [row.id for row in consequential([ledger], 2)] == found[:2]
+
+
+@pytest.mark.parametrize(
+    ("fields", "short", "expected"),
+    [
+        pytest.param(
+            {"printed": "x + 1", "correction": "x - 1"},
+            False,
+            "$x + 1$ should read $x - 1$",
+            id="formula",
+        ),
+        pytest.param(
+            {"printed": "y = x + 1", "correction": "y = x - 1"},
+            True,
+            "$x + 1$ should read $x - 1$",
+            id="common left side is left out",
+        ),
+        pytest.param(
+            {"printed": "the sine is largest", "correction": "x - 1"},
+            True,
+            "should read $x - 1$",
+            id="printed words are left out",
+        ),
+        pytest.param(
+            {"printed": "the sine is largest", "assumption": "x > 0"},
+            False,
+            "the sine is largest holds only when $x > 0$",
+            id="condition",
+        ),
+        pytest.param(
+            {"printed": "x", "note": "differs from eq:2."},
+            True,
+            "differs from eq:2.",
+            id="note",
+        ),
+        pytest.param({"printed": "y = 1"}, True, "y = 1", id="nothing but the printed form"),
+    ],
+)
+def test_sentence(fields: dict[str, str], short: bool, expected: str) -> None:
+    assert sentence(fault(**fields), short=short) == expected
