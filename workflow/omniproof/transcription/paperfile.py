@@ -77,7 +77,7 @@ def load_document(path: Path) -> Document:
     try:
         for event in yaml.parse(text, Loader=LOADER):
             builder.add(event)
-            if len(builder.stack) > MAX_DEPTH:
+            if len(builder.stack) > MAX_DEPTH or builder.documents > 1:
                 break
     except yaml.YAMLError as error:
         builder.faults.append(_syntax_fault(name, error, text))

@@ -85,8 +85,9 @@ KINDS = {
 
 SYNONYMS = {
     "\\le": "\\leq", "\\ge": "\\geq", "\\ne": "\\neq", "\\leqslant": "\\leq",
-    "\\geqslant": "\\geq", "\\iff": "\\Leftrightarrow", "\\vert": "|", "\\Vert": "\\|", "\\lbrace": "\\{",
-    "\\rbrace": "\\}", "\\dfrac": "\\frac", "\\tfrac": "\\frac", "\\wedge": "\\land",
+    "\\geqslant": "\\geq", "\\iff": "\\Leftrightarrow", "\\vert": "|", "\\Vert": "\\|",
+    "\\lbrace": "\\{", "\\rbrace": "\\}", "\\dfrac": "\\frac", "\\tfrac": "\\frac",
+    "\\wedge": "\\land",
     "\\vee": "\\lor", "\\lt": "<", "\\gt": ">",
     "−": "-", "·": "\\cdot", "×": "\\times", "≤": "\\leq", "≥": "\\geq", "≠": "\\neq",
     "°": "\\circ", "ϕ": "\\phi", "φ": "\\varphi",
