@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from importlib.resources import files
+from importlib.util import find_spec
 from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, TypeAdapter
@@ -23,8 +24,10 @@ class Read(BaseModel):
 
 def load_readings(paper: str) -> dict[str, Read]:
     """Return the readings of a paper by claim id; none where the paper has no such file."""
-    folder = files(f"omniproof.papers.{paper.replace('-', '_')}")
-    path = Path(str(folder.joinpath("readings.yaml")))
+    package = f"omniproof.papers.{paper.replace('-', '_')}"
+    if find_spec(package) is None:
+        return {}
+    path = Path(str(files(package).joinpath("readings.yaml")))
     if not path.exists():
         return {}
     return TypeAdapter(dict[str, Read]).validate_python(load_document(path).values)

@@ -16,10 +16,11 @@ from omniproof.audit.ledger import Ledger
 from omniproof.audit.readings import load_readings
 from omniproof.papers.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
-from omniproof.transcription.loader import load_paper
+from omniproof.transcription.loader import load_sound_part
 from omniproof.transcription.matching import unmatched
-from omniproof.transcription.model import Claim, Form, Kind
+from omniproof.transcription.model import Claim, Form, Kind, Role
 from omniproof.transcription.tokens import LatexError
+from omniproof.transcription.tree import names
 
 
 def check_paper(folder: Path) -> dict[str, object]:
@@ -49,27 +50,54 @@ def audit_paper(folder: Path) -> Ledger:
 
 def prepare(folder: Path) -> Context:
     """Load a paper with its derivations and readings; raises `BadInput` with all faults."""
-    loaded = load_paper(folder)
-    key = loaded.paper.key
-    try:
-        registry = load_registry(key)
-    except ModuleNotFoundError:
-        registry = Registry(key)
-    context = Context(loaded, registry, load_readings(key))
-    faults = unmatched(
-        loaded, set(registry.derivations), set(registry.quantities), set(context.readings)
-    )
-    if not faults:
-        faults = [fault for claim in loaded.claims for fault in _unfit(claim, context)]
-    if faults:
-        raise BadInput(faults)
+    loaded, faults = load_sound_part(folder)
+    context = Context(loaded, _registry(loaded.paper.key), load_readings(loaded.paper.key))
+    registry = context.registry
+    found = [
+        *faults,
+        *unmatched(
+            loaded, set(registry.derivations), set(registry.quantities), set(context.readings)
+        ),
+    ]
+    sound = [claim for claim in loaded.claims if _can_be_evaluated(claim, context, found)]
+    found += [fault for claim in sound for fault in _unfit(claim, context)]
+    if found:
+        raise BadInput(found)
     return context
+
+
+def _registry(paper: str) -> Registry:
+    """Return what is derived for a paper: nothing, as long as nobody wrote anything."""
+    try:
+        return load_registry(paper)
+    except ModuleNotFoundError as error:
+        if error.name and error.name.startswith("omniproof.papers."):
+            return Registry(paper)
+        raise
+
+
+def _can_be_evaluated(claim: Claim, context: Context, faults: list[Fault]) -> bool:
+    """Whether a claim has a formula and a derivation, and no fault so far."""
+    if claim.uncheckable or claim.id not in context.loaded.trees:
+        return False
+    if claim.id not in context.registry.derivations:
+        return False
+    if any(fault.path.startswith(f"claims[{claim.id}]") for fault in faults):
+        return False
+    return all(_has_meaning(name, context) for name in names(context.loaded.trees[claim.id]))
+
+
+def _has_meaning(printed: str, context: Context) -> bool:
+    """Whether a symbol, or the determinant of one, is declared and derived where it has to be."""
+    symbols, quantities = context.loaded.symbols, context.registry.quantities
+    if printed not in symbols:
+        return printed.removeprefix("\\det ") in symbols
+    symbol = symbols[printed]
+    return symbol.role is not Role.QUANTITY or symbol.name in quantities
 
 
 def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
     """Find what only evaluation shows: unknown symbols, impossible products, wrong shapes."""
-    if claim.uncheckable or claim.id not in context.loaded.trees:
-        return
     compared = claim.kind is Kind.IDENTITY
     if not compared and (
         claim.asserts is None or claim.asserts.form not in {Form.EQUIVALENT, Form.INSTANCE}

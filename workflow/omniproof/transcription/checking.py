@@ -7,6 +7,7 @@ other entries are broken, so that one run shows everything there is to mend.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
@@ -95,6 +96,22 @@ class Check:
         good = ((i, value) for i, value in enumerate(listed) if (key, i) not in bad)
         return {i: kind.model_validate(value) for i, value in good}
 
+    def sound_part(self) -> Paper | None:
+        """Return the paper without the entries that have faults; None where it has no key."""
+        key = self.values.get("key") if isinstance(self.values, dict) else None
+        if any(fault.path == "key" for fault in self.faults) or not isinstance(key, str):
+            return None
+        symbols, claims = tuple(self.symbols.values()), tuple(self.claims.values())
+        return Paper.model_construct(
+            key=key, notation=self.notation, symbols=symbols, claims=claims
+        )
+
+    def broken(self) -> frozenset[str]:
+        """Names of the entries that have faults: nothing more can be said of them."""
+        symbols = {symbol.name for symbol in self.symbols.values()}
+        sound = {*self.positions, *self.cells, *symbols}
+        return frozenset(self.printed("claims", "symbols", "tables") - sound)
+
     def check_notation(self) -> None:
         """Shorthands are one letter for a function that is read."""
         for short, function in self.notation.functions.items():
@@ -152,10 +169,21 @@ class Check:
             place = self.document.place(path)
             self.positions[claim.id] = Position(self.document.name, *place)
 
+    def broken_symbols(self) -> frozenset[str]:
+        """Names of symbols whose entry has another fault: their use is none."""
+        listed = self.values.get("symbols", []) if isinstance(self.values, dict) else []
+        spelled = [entry.get("latex") for entry in listed if isinstance(entry, dict)]
+        found = set()
+        for latex in spelled:
+            with suppress(LatexError):
+                found.add(symbol_name(latex if isinstance(latex, str) else ""))
+        return frozenset(found - set(self.symbols))
+
     def read_all(self) -> None:
         """Read all LaTeX: one fault for what cannot be read, one for each unknown symbol."""
         quantities = {n for n, symbol in self.symbols.items() if symbol.role is Role.QUANTITY}
-        known = Names(frozenset(self.symbols), frozenset(quantities))
+        broken = self.broken_symbols()
+        known = Names(broken | set(self.symbols), broken | quantities)
         for i, claim in self.claims.items():
             source = " ".join(claim.latex)
             if source:
@@ -191,15 +219,16 @@ class Check:
             start += len(fragment) + 1
         self.fault(path, error.picture, error.cure)
 
-    def printed_ids(self) -> set[str]:
-        """The ids of all claims in the file, those with faults included."""
-        listed = self.values.get("claims", []) if isinstance(self.values, dict) else []
-        found = (entry.get("id", "") for entry in listed if isinstance(entry, dict))
-        return {claim for claim in found if isinstance(claim, str)}
+    def printed(self, *keys: str) -> set[str]:
+        """Names of all entries of these lists in the file, those with faults included."""
+        lists = [self.values.get(key) for key in keys] if isinstance(self.values, dict) else []
+        entries = [entry for listed in lists if isinstance(listed, list) for entry in listed]
+        found = (e.get("id", e.get("name", "")) for e in entries if isinstance(e, dict))
+        return {name for name in found if isinstance(name, str)}
 
     def check_pointers(self) -> None:
         """What a claim points to is a claim, or a place that has claims."""
-        ids = set(self.positions) | self.printed_ids()
+        ids = set(self.positions) | self.printed("claims")
         wholes = {_whole(claim) for claim in ids}
         for i, claim in self.claims.items():
             for k, other in enumerate(claim.agrees_with):

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from omniproof.transcription.checking import Check, Position, one_is_enough
-from omniproof.transcription.faults import BadInput
+from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.model import Claim, Paper, Symbol
 from omniproof.transcription.paperfile import load_document
 from omniproof.transcription.tablefile import Cell
 from omniproof.transcription.tree import Node
 
-__all__ = ["FILE", "LoadedPaper", "Position", "load_paper"]
+__all__ = ["FILE", "LoadedPaper", "Position", "load_paper", "load_sound_part"]
 
 FILE = "paper.yaml"
 
@@ -24,7 +24,8 @@ class LoadedPaper:
 
     `claims` are the paper's claims and the cells of its tables, in order of place; `sources` is
     their LaTeX, fragments joined by a blank, and `trees` what was read from it, both by claim id;
-    `points` are the trees of `asserts.at`. `symbols` are keyed by canonical name.
+    `points` are the trees of `asserts.at`. `symbols` are keyed by canonical name. `broken` are the
+    names of entries that were left out for their faults.
     """
 
     paper: Paper
@@ -35,6 +36,7 @@ class LoadedPaper:
     trees: Mapping[str, Node]
     points: Mapping[str, tuple[Node, ...]]
     symbols: Mapping[str, Symbol]
+    broken: frozenset[str] = frozenset()
 
 
 def load_paper(folder: Path) -> LoadedPaper:
@@ -42,21 +44,35 @@ def load_paper(folder: Path) -> LoadedPaper:
 
     Raises `BadInput` with all faults of the folder.
     """
+    loaded, faults = load_sound_part(folder)
+    if faults:
+        raise BadInput(faults)
+    return loaded
+
+
+def load_sound_part(folder: Path) -> tuple[LoadedPaper, tuple[Fault, ...]]:
+    """Load what is right in a folder, with the faults of the rest, so that more can be checked.
+
+    Raises `BadInput` where nothing can be told of any entry: a file that cannot be read, no key.
+    """
     document = load_document(folder / FILE)
     check = Check(folder, document, one_is_enough(document.values))
     check.run()
-    if check.faults or check.paper is None:
+    paper = check.paper or check.sound_part()
+    if paper is None:
         raise BadInput(check.faults)
-    return LoadedPaper(
-        check.paper,
+    loaded = LoadedPaper(
+        paper,
         folder,
-        _merged(check.paper.claims, check.cells),
+        _merged(paper.claims, check.cells),
         check.positions,
         check.sources,
         check.trees,
         check.points,
         check.symbols,
+        check.broken(),
     )
+    return loaded, tuple(check.faults)
 
 
 def _merged(claims: tuple[Claim, ...], cells: Mapping[str, tuple[Cell, ...]]) -> tuple[Claim, ...]:

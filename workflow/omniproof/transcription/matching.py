@@ -65,7 +65,7 @@ def _readings(loaded: LoadedPaper, ids: Collection[str]) -> Iterator[Fault]:
 
 
 def _without_claim(loaded: LoadedPaper, ids: Collection[str], kind: str) -> Iterator[Fault]:
-    known = set(loaded.positions)
+    known = set(loaded.positions) | loaded.broken
     wholes = {_whole(claim) for claim in known}
     for item in ids:
         if item not in known | wholes and _whole(item) not in known:
@@ -81,7 +81,7 @@ def _quantities(loaded: LoadedPaper, given: Collection[str]) -> Iterator[Fault]:
         message = f"expected a meaning of the quantity `{name}`, found none"
         cure = f'add a function with `@REGISTRY.quantity("{name}")` to {_code(loaded)}'
         yield _fault(loaded, "", message, cure, f"symbols[{name}]")
-    for name in set(given) - declared:
+    for name in set(given) - declared - loaded.broken:
         message = f"expected a symbol with `role: quantity` for the meaning `{name}`, found none"
         yield _fault(loaded, "", message, nearest(name, declared, "declare it under `symbols`"))
 
