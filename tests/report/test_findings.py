@@ -74,7 +74,7 @@ def test_order_of_consequence() -> None:
         pytest.param(
             {"printed": "the sine is largest", "assumption": "x > 0"},
             False,
-            "the sine is largest holds only when $x > 0$",
+            "the sine is largest: only when $x > 0$",
             id="condition",
         ),
         pytest.param(

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, to_csv
 from omniproof.report.latexfmt import is_latex
-from omniproof.transcription.model import Source, Uncheckable
+from omniproof.transcription.model import Kind, Source, Uncheckable
 
 GRAVITY = (
     Verdict.UNDECIDED,
@@ -59,16 +59,19 @@ def consequential(ledgers: Iterable[Ledger], limit: int) -> tuple[Row, ...]:
 def sentence(row: Row, *, short: bool = False) -> str:
     """Return one sentence on a finding: what is printed and what is true, else its note.
 
-    `short`: leave out printed words (a printed formula stays).
+    `short`: leave out printed words and the left side that two formulas share.
     """
-    printed = "" if short and not is_latex(row.printed) else f"{_quoted(row.printed)} "
+    words = not is_latex(row.printed)
+    printed = "" if short and words else _quoted(row.printed)
     if row.correction:
         left, sign, right = row.correction.partition("=")
         if short and sign and row.printed.startswith(left + sign):
             return f"{_quoted(row.printed.removeprefix(left + sign))} should read {_quoted(right)}"
-        return f"{printed}should read {_quoted(row.correction)}"
+        link = ": in fact" if words and row.kind is Kind.RELATION and printed else " should read"
+        return f"{printed}{link} {_quoted(row.correction)}".strip()
     if row.assumption:
-        return f"{printed}holds only when {_quoted(row.assumption)}"
+        link = ": only when" if words and printed else " holds only when"
+        return f"{printed}{link} {_quoted(row.assumption)}".strip()
     return row.note or row.printed
 
 

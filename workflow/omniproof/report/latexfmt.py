@@ -85,12 +85,12 @@ def inline(text: str, refer: Callable[[str], str] = escape) -> str:
     parts: list[str] = []
     end = 0
     for piece in _PIECE.finditer(text):
-        formula, code, claim = piece.groups()
+        latex, code, claim = piece.groups()
         parts.append(escape(text[end : piece.start()]))
         if claim:
             parts.append(refer(claim))
         else:
-            parts.append(math(formula) if formula else f"<code>{escape(code)}</code>")
+            parts.append(formula(latex) if latex else f"<code>{escape(code)}</code>")
         end = piece.end()
     return "".join([*parts, escape(text[end:])])
 
@@ -99,25 +99,23 @@ def cell(text: str, refer: Callable[[str], str] = escape) -> str:
     """Return HTML of a ledger cell: a formula, a decimal, or words (see `inline`)."""
     if ID.fullmatch(text) or not is_latex(text):
         return inline(text, refer)
-    return inline(_words_out(text)) if _WORDS.search(text) else math(text)
+    return formula(text)
 
 
-def _words_out(latex: str) -> str:
-    r"""Return `A \text{ holds where } B` as `$A$ holds where $B$`, which can break into lines.
+def formula(latex: str) -> str:
+    r"""Return HTML of a formula; `A \text{ holds where } B` becomes words that can break a line.
 
     Words inside braces or environments stay where they are.
     """
     pieces: list[str] = []
     end = 0
     for words in _WORDS.finditer(latex):
-        if is_settable(latex[end : words.start()]):
-            pieces += [_dollars(latex[end : words.start()]), words[1]]
+        before = latex[end : words.start()]
+        if is_settable(before):
+            pieces += [math(before) if before.strip() else "", escape(words[1])]
             end = words.end()
-    return "".join([*pieces, _dollars(latex[end:])])
-
-
-def _dollars(latex: str) -> str:
-    return f"${latex.strip()}$" if latex.strip() else ""
+    rest = latex[end:]
+    return "".join([*pieces, math(rest) if rest.strip() else ""])
 
 
 _NAMES = (

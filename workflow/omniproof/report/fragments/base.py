@@ -18,7 +18,7 @@ from omniproof.report.latexfmt import inline
 from omniproof.report.theme import MARKS
 from omniproof.transcription.model import ID
 
-_SENTENCE = re.compile(r"(?:^|(?<=\. ))[a-z](?=[a-z]*,? )(?!\w*_)")
+_SENTENCE = re.compile(r"(?:^|(?<=\. ))(?:a(?= )|[a-z](?=[a-z]+(?:[ ,.;]|$)))")
 
 Href = Callable[[str], str | None]
 """Claim id -> link to it from this page, or None when the claim has no address."""

@@ -52,6 +52,8 @@ class Chapter:
         """Show the cards of all claims that nothing before has shown."""
         rows = [row for row in self.ledger.rows if row.id not in self._shown]
         self._shown.update(row.id for row in rows)
+        if not rows:
+            return Fragment("<p>Nothing: every row stands in a section above.</p>", "nothing else")
         return self._cards(rows, "everything else")
 
     def table(

@@ -20,13 +20,12 @@ from omniproof.report.fragments.base import (
     results_folder,
     table,
 )
-from omniproof.report.fragments.claims import CONSEQUENCES
 from omniproof.report.fragments.counts import accounting_html, verdict_counts
 from omniproof.report.fragments.theorems import Theorem, read_theorems
 from omniproof.report.fragments.values import Value
-from omniproof.report.latexfmt import cell, inline
+from omniproof.report.latexfmt import cell, inline, is_latex
 from omniproof.report.theme import MARKS
-from omniproof.transcription.model import Edition, Source, Uncheckable
+from omniproof.transcription.model import Edition, Kind, Source, Uncheckable
 from omniproof.transcription.paperfile import load_document
 
 DECIDED_BY: Mapping[str, str] = {
@@ -172,15 +171,19 @@ def _place(row: Row) -> str:
 
 def _finding(row: Row, href: Href) -> str:
     follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
-    consequence = CONSEQUENCES.get(row.consequence, "")
     correct = row.correction or row.derived
     return (
         f'<tr class="v-{row.verdict}"><td>{_place(row)}<br>{badge(row.verdict)}</td>'
-        f"<td>{_line('printed', row.printed, href)}{_line('correct', correct, href)}"
+        f"<td>{_line(_printed(row), row.printed, href)}{_line('correct', correct, href)}"
         f"{_line('true when', row.assumption, href)}</td>"
-        f"<td><p>{note_html(row.note, href)}{follows}</p>"
-        f'<p class="quiet">{consequence}</p></td></tr>'
+        f"<td><p>{note_html(row.note, href)}{follows}</p></td></tr>"
     )
+
+
+def _printed(row: Row) -> str:
+    """Return what the ledger's column `printed` holds of this row: print, or what it says."""
+    said = row.kind in {Kind.RELATION, Kind.REFERENCE} and not is_latex(row.printed)
+    return "states" if said else "printed"
 
 
 def _line(word: str, text: str, href: Href) -> str:
