@@ -27,14 +27,15 @@ class Project:
 
     def run(self, *command: str) -> subprocess.CompletedProcess[str]:
         """Run a command; standard error is in `stdout`, as on a screen."""
+        own = {
+            "PYTHONPATH": str(self.folder / "workflow"),
+            "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+        }
+        outer = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
         return subprocess.run(
             command,
             cwd=self.folder,
-            env=os.environ
-            | {
-                "PYTHONPATH": str(self.folder / "workflow"),
-                "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
-            },
+            env=outer | own,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
