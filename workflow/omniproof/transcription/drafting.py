@@ -70,7 +70,8 @@ class _Drafter:
 
     def referring(self, item: Item) -> list[str]:
         """The next reference claim of the line that points to what the item names."""
-        numbers = re.findall(r"\d+|(?<=\()[A-Z](?=[),.])", item.text)
+        numbers = re.findall(r"[A-Z],?\d+|\d+|(?<=\()[A-Z](?=\))", item.text)
+        numbers = [re.sub(r"(?<=[A-Z]),?(?=\d)", ".", number) for number in numbers]
         word = re.match("[a-z]*", item.text.lower())
         kind = WORDS.get(word[0][:3].rstrip("s") if word else "", "cites")
         for claim in self.claims_of_paper:

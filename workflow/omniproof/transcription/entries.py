@@ -35,14 +35,12 @@ def _fits(
     grid: tuple[tuple[Node, ...], ...], index: Sequence[int], shape: tuple[int, int] | None
 ) -> bool:
     rows, columns = len(grid), len(grid[0])
-    if shape is not None and shape not in {
-        (rows, columns),
-        (columns, rows)[:: 1 if rows > 1 else -1],
-    }:
+    vector = 1 in (rows, columns)
+    if shape is not None and shape != (rows, columns) and not (vector and shape == (columns, rows)):
         return False
     if len(index) == 1:
-        return 1 in (rows, columns) and 1 <= index[0] <= max(rows, columns)
-    return min(rows, columns) > 1 and 1 <= index[0] <= rows and 1 <= index[1] <= columns
+        return vector and 1 <= index[0] <= max(rows, columns)
+    return not vector and 1 <= index[0] <= rows and 1 <= index[1] <= columns
 
 
 def _entry(grid: tuple[tuple[Node, ...], ...], index: Sequence[int]) -> Node:

@@ -14,8 +14,9 @@ from hashlib import sha256
 from pathlib import Path
 
 from omniproof.transcription.faults import Fault, shorten
-from omniproof.transcription.loader import LoadedPaper
+from omniproof.transcription.loader import FILE, LoadedPaper
 from omniproof.transcription.model import Claim, Kind, Reading
+from omniproof.transcription.paperfile import display_name
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -83,7 +84,7 @@ def missing(loaded: LoadedPaper, source: str) -> list[Fault]:
     folded = FoldedText.of(source)
     faults = []
     if sha256(source.encode()).hexdigest() != loaded.paper.edition.sha256:
-        file = next(iter(loaded.positions.values())).file
+        file = display_name(loaded.folder / FILE)
         message = "expected the source text with this sha256, found another text"
         faults.append(Fault(file, 1, 1, "edition.sha256", message, "audit the text that is named"))
     for claim in loaded.claims:
