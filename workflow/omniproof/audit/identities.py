@@ -28,6 +28,7 @@ class Cell:
     """One printed cell: its verbatim text, its sides, and what they should be.
 
     `places` says which part of the text each side is; for the entry of a matrix that is the text.
+    `factor` stands before a printed matrix: it belongs to the sides, and not to the text.
     """
 
     id: str
@@ -35,6 +36,7 @@ class Cell:
     places: tuple[Span, ...]
     sides: tuple[Any, ...]
     derived: Any
+    factor: Any = 1
 
 
 def judge_identity(claim: Claim, context: Context) -> list[Row]:
@@ -57,14 +59,26 @@ def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
         return
     for index, entry in entries(derived).items():
         sides = tuple(entries(value)[index] for value in values)
-        verbatim = entry_source(text, context.loaded.trees[claim.id], index) or text
         name = f"{claim.id}[{','.join(map(str, index))}]"
-        yield Cell(name, verbatim, ((0, len(verbatim)),) * len(sides), sides, entry)
+        verbatim = entry_source(text, context.loaded.trees[claim.id], index)
+        if verbatim is None:
+            yield Cell(name, text, tuple(node.span for node in nodes), sides, entry)
+            continue
+        value = _value(verbatim, claim.id, context)
+        factor = 1 if value == 0 else sides[-1] / value
+        yield Cell(name, verbatim, ((0, len(verbatim)),) * len(sides), sides, entry, factor)
+
+
+def _value(text: str, claim: str, context: Context) -> Any:
+    """Read and evaluate a piece of a printed formula; raises `LatexError`."""
+    paper = context.loaded.paper
+    node = read(text, paper.notation, [symbol.latex for symbol in paper.symbols])
+    return evaluate(node, context.meanings_at(claim, node), text)
 
 
 def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
     answer, place = _compare(cell)
-    shown = {"printed": cell.text, "derived": context.spelling.latex(cell.derived)}
+    shown = {"printed": cell.text, "derived": context.spelling.latex(cell.derived / cell.factor)}
     row = answered(start(claim, context, cell.id).model_copy(update=shown), answer, context)
     if row.verdict is not Verdict.ERRATUM:
         return row
@@ -88,29 +102,15 @@ def _compare(cell: Cell) -> tuple[Answer, int]:
 def _mend(cell: Cell, place: int, claim: str, context: Context) -> str:
     """Return the printed text after the one edit that makes the side at `place` true, if any."""
     begin, end = cell.places[place]
-    side = cell.text[begin:end]
-    paper = context.loaded.paper
-    symbols = [symbol.latex for symbol in paper.symbols]
-
-    def value_of(text: str) -> Any:
-        node = read(text, paper.notation, symbols)
-        return evaluate(node, context.meanings_at(claim, node), text)
 
     def is_true(text: str) -> bool:
         try:
-            return isinstance(decide_equal(value_of(text) * factor, cell.derived), Proved)
+            value = _value(text, claim, context) * cell.factor
+            return isinstance(decide_equal(value, cell.derived), Proved)
         except (LatexError, TypeError, AttributeError):
             return False
 
-    try:
-        factor = _factor(cell.sides[place], value_of(side))
-    except (LatexError, TypeError):
-        return ""
-    vocabulary = [symbol.latex for symbol in paper.symbols if symbol.role is Role.VARIABLE]
-    found = repair(side, is_true, vocabulary)
+    symbols = context.loaded.paper.symbols
+    vocabulary = [symbol.latex for symbol in symbols if symbol.role is Role.VARIABLE]
+    found = repair(cell.text[begin:end], is_true, vocabulary)
     return cell.text[:begin] + found[0].text + cell.text[end:] if found else ""
-
-
-def _factor(side: Any, value: Any) -> Any:
-    """Factor that stands before a printed matrix, outside the text of its entry."""
-    return 1 if value == 0 else side / value
