@@ -71,7 +71,15 @@ def pages(request: pytest.FixtureRequest) -> Path:
         return Path(request.getfixturevalue("small"))
     if not (BUILT / "index.html").is_file():
         pytest.skip("book/_build/html is not built: run `make`")
+    if newest_source() > (BUILT / "index.html").stat().st_mtime:
+        pytest.skip("book/_build/html is older than its sources: run `make`")
     return BUILT
+
+
+def newest_source() -> float:
+    """Return when what the report is made of was last changed."""
+    globs = ("book/*.*", "book/_[es]*/*.*", "notebooks/*.md", "workflow/omniproof/**/*.py")
+    return max(path.stat().st_mtime for pattern in globs for path in ROOT.glob(pattern))
 
 
 def test_report_keeps_its_promises(pages: Path) -> None:
