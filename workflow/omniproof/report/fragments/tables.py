@@ -53,7 +53,7 @@ def list_html(rows: Sequence[Row], href: Href) -> str:
             f'<th scope="row">{cell(row.printed) or escape(row.where)}</th>'
             f"<td>{badge(row.verdict)}</td><td>{said}</td></tr>"
         )
-    return table(["printed", "verdict", "remark"], body, "list")
+    return table(["printed or stated", "verdict", "remark"], body, "list")
 
 
 def _said(row: Row, href: Href) -> Sequence[str]:
