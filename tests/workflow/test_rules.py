@@ -75,7 +75,11 @@ def test_contract_announces_the_inputs(jobs, root, name):
     ]
     data = [x for x in needed if not x[1].endswith(".py")]
     assert [x for x in data if not fits(x[1], announced.get(x[0], ""))] == []
-    assert {key for key, _ in needed} <= set(announced)
+    assert (
+        {key for key, _ in needed}
+        <= set(announced)
+        <= {key for job in here for key in job["input"]}
+    )
 
 
 @pytest.mark.parametrize("name", RULE_FILES)
@@ -105,6 +109,20 @@ def test_what_a_script_imports_is_an_input(jobs, root):
         modules = re.findall(r"from omniproof\.([\w.]+) import", script.read_text())
         needed = {str(file.relative_to(root)) for file in sources(*modules)} - FRAME
         assert sorted(needed - set(files(job, "input"))) == []
+
+
+@pytest.mark.parametrize(
+    ("rule", "module"),
+    [
+        ("audit", "derivations"),
+        ("theorems", "theorems"),
+        ("figures_omni_arrangement", "figures"),
+    ],
+)
+def test_what_is_imported_by_name_is_an_input(jobs, root, rule, module):
+    needed = sources(f"papers.omni_arrangement.{module}")
+    given = {file for job in jobs if job["rule"] == rule for file in files(job, "input")}
+    assert [file for file in needed if str(file.relative_to(root)) not in given] == []
 
 
 @pytest.mark.parametrize(
