@@ -69,6 +69,11 @@ def _coefficients(result: Ball, order: int) -> list[Ball]:
     return [result, *([arb(0)] * order)]
 
 
+def exact_number(number: Any) -> sp.Expr:
+    """Turn an int into a SymPy number; leave an expression as it is, unevaluated parts included."""
+    return sp.Integer(number) if isinstance(number, int) else number
+
+
 def rational_ball(value: Any) -> Ball:
     """Enclose a rational number (SymPy, fmpq, Fraction or int) at the current precision."""
     if isinstance(value, fmpq):
@@ -100,7 +105,7 @@ def format_ball(ball: Ball, digits: int = 4) -> str:
     """Write the midpoint to significant digits: `0.8415`; `undefined` when it is not finite."""
     if not ball.is_finite():
         return "undefined"
-    with ctx.workprec(max(ctx.prec, 64)):
+    with ctx.workprec(max(ctx.prec, 4 * digits)):
         return str(ball.str(digits, radius=False))
 
 
@@ -159,7 +164,7 @@ class _Compiler:
             return lambda memory: memory[place] ** count
         if exponent.is_Rational and exponent.q == 2:
             count = int(exponent.p)
-            return lambda memory: memory[place].sqrt() ** count
+            return lambda memory: _root(memory[place]) ** count
         other = self.place(exponent)
         return lambda memory: (memory[place].log() * memory[other]).exp()
 
@@ -198,6 +203,13 @@ def _multiply(places: tuple[int, ...]) -> Step:
         return product
 
     return step
+
+
+def _root(value: Ball) -> Ball:
+    """Enclose a square root; over a range that reaches below zero, where it is defined."""
+    if isinstance(value, arb_series) or not value.contains(0):
+        return value.sqrt()
+    return arb(0).union(value.upper().sqrt())
 
 
 def _abs(value: Ball) -> Ball:

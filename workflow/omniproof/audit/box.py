@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import arb, fmpq
 
-from omniproof.audit.balls import Ball, UnsupportedError, evaluate, rational_ball
+from omniproof.audit.balls import Ball, UnsupportedError, evaluate, exact_number, rational_ball
 from omniproof.audit.exact import sign, subtract
 
 Side: TypeAlias = tuple[fmpq, fmpq]
@@ -31,7 +31,9 @@ class Box:
     @staticmethod
     def of(intervals: Mapping[sp.Symbol, tuple[Any, Any]]) -> Box:
         """Make a box; raises `UnsupportedError` for a side that is empty or not finite."""
-        sides = tuple((sp.S.Zero + low, sp.S.Zero + high) for low, high in intervals.values())
+        sides = tuple(
+            (exact_number(lower), exact_number(upper)) for lower, upper in intervals.values()
+        )
         for symbol, (lower, upper) in zip(intervals, sides, strict=True):
             if not (lower.is_finite and upper.is_finite):
                 raise UnsupportedError(f"the range of {symbol} is not bounded")

@@ -23,7 +23,7 @@ __all__ = ["Decimal", "DecimalFinding", "Rounding", "classify", "read_decimal", 
 
 ENGINE = ("flint",)
 MOST_PLACES = 60
-DECIMAL = re.compile(r"([+-]?)(\d+)(?:\.(\d*))?")
+DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]*))?")
 
 
 class Rounding(StrEnum):

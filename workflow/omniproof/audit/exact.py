@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
-from omniproof.audit.balls import UnsupportedError, evaluate, sign_of
+from omniproof.audit.balls import UnsupportedError, evaluate, exact_number, sign_of
 from omniproof.audit.normal_form import normal_form
 
 PRECISIONS = (64, 256, 1_024, 4_096)
@@ -33,8 +35,9 @@ def vanishes(number: sp.Expr) -> bool:
     return sign(number) == 0
 
 
-def subtract(left: sp.Expr, right: sp.Expr) -> sp.Expr:
+def subtract(left: Any, right: Any) -> sp.Expr:
     """Subtract without evaluation, so that nothing cancels before it has been looked at."""
+    left, right = exact_number(left), exact_number(right)
     if right == 0:
         return left
     return sp.Add(left, sp.Mul(-1, right, evaluate=False), evaluate=False)

@@ -15,6 +15,7 @@ from typing import Any, assert_never
 import sympy as sp
 
 from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
+from omniproof.audit.balls import exact_number
 from omniproof.audit.exact import subtract, vanishes
 from omniproof.audit.ordering import digits
 from omniproof.audit.positivity import Negative, Open, Positive, prove_positive
@@ -41,6 +42,7 @@ def prove_extremum(family: Family, candidates: Points, kind: str) -> Answer:
 
 
 def _extremum(function: Quotient, candidates: Points, direction: int) -> Answer:
+    candidates = [tuple(exact_number(x) for x in point) for point in candidates]
     best = function.at(candidates[0])
     for point in candidates:
         value = function.at(point)
@@ -75,7 +77,7 @@ def _not_proved(function: Quotient, stuck: Open, candidates: Points, best: sp.Ex
     """Look for a further point with exactly the best value where the proof got stuck."""
     for place in stuck.places:
         for point in product(*(recognise(x, 1e-5, 24) for x in place)):
-            if point in [tuple(candidate) for candidate in candidates]:
+            if point in candidates:
                 continue
             if function.box.contains(point) and vanishes(subtract(function.at(point), best)):
                 witness = Witness(function.name(point), digits(best), digits(best))

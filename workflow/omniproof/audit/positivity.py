@@ -141,7 +141,7 @@ class _Search:
 
     def _zero(self, exact: tuple[Any, ...]) -> Zero | None:
         """Find the order of a zero; None for a point that is none, or where f is not smooth."""
-        point = [evaluate(sp.S.Zero + x, precision=2 * PRECISION) for x in exact]
+        point = [evaluate(x, precision=2 * PRECISION) for x in exact]
         try:
             return self._zero_on_line(exact, point) if len(exact) == 1 else self._flat(exact, point)
         except UnsupportedError:

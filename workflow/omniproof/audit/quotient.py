@@ -10,7 +10,7 @@ import sympy as sp
 from flint import fmpq
 
 from omniproof.audit.answer import Domain
-from omniproof.audit.balls import UnsupportedError, evaluate, format_ball, sign_of
+from omniproof.audit.balls import compile_balls, evaluate, exact_number, format_ball, sign_of
 from omniproof.audit.box import Box
 from omniproof.audit.exact import vanishes
 from omniproof.audit.sampling import sample_points
@@ -46,30 +46,32 @@ class OnBox:
 
 @dataclass(frozen=True)
 class Quotient:
-    """`value` = `numerator` / `denominator` on an open box; all symbols are real."""
+    """`value` = `numerator` / `denominator` on an open box.
+
+    The symbols of `box` are real, and positive where their range is; `asked` are the symbols of the
+    question, in the same order.
+    """
 
     value: sp.Expr
     numerator: sp.Expr
     denominator: sp.Expr
     box: Box
+    asked: tuple[sp.Symbol, ...]
 
     @staticmethod
     def of(family: Family) -> Quotient:
         """Prepare a family; raises `UnsupportedError` when its box lacks a symbol or is no box."""
-        box = Box.of(family.box)
-        signed = {
-            s: _signed(s, lower) for s, (lower, _) in zip(box.symbols, box.sides, strict=True)
-        }
-        value = (sp.S.Zero + family.expression).subs(signed)
-        box = Box(tuple(signed.values()), box.sides)
-        missing = value.free_symbols - set(box.symbols)
-        if missing:
-            raise UnsupportedError(f"no range is given for {', '.join(sorted(map(str, missing)))}")
+        asked = Box.of(family.box)
+        sides = zip(asked.symbols, asked.sides, strict=True)
+        signed = {symbol: _signed(symbol, lower) for symbol, (lower, _) in sides}
+        value = exact_number(family.expression).subs(signed)
+        box = Box(tuple(signed.values()), asked.sides)
+        compile_balls([value], box.symbols)  # refuses what cannot be enclosed
         plain = value
         for function, quotient in QUOTIENTS.items():
             plain = plain.replace(function, quotient)
         numerator, denominator = sp.fraction(sp.together(plain))
-        return Quotient(value, numerator, denominator, box)
+        return Quotient(value, numerator, denominator, box, asked.symbols)
 
     def at(self, point: tuple[Any, ...]) -> sp.Expr:
         """Return the exact value at an exact point."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from enum import IntEnum
 
 from omniproof.transcription.tokens import LatexError, Token, tokenize
 
@@ -27,6 +28,20 @@ OPENING = {"(", "[", "{", "=", "&", "\\\\", ","}
 CLOSING = {")", "]", "}", r"\}", "|", "'"}
 
 
+class Edit(IntEnum):
+    """What an edit does, the most common misprint first."""
+
+    SIGN = 0  # between two terms
+    MINUS = 1  # before a term
+    INDEX = 2
+    FUNCTION = 3
+    LETTER = 4  # with the same index
+    DROP = 5  # a constant that should not be there
+    CONSTANT = 6
+    FACTOR = 7  # a small constant that is missing
+    SYMBOL = 8
+
+
 @dataclass(frozen=True, order=True)
 class Repair:
     """A single edit that makes a formula true; repairs sort by how common such a misprint is.
@@ -34,7 +49,7 @@ class Repair:
     `span` is the place in the printed text that the edit replaces; `text` is the whole result.
     """
 
-    rank: int
+    kind: Edit
     span: tuple[int, int]
     description: str
     text: str
@@ -73,7 +88,7 @@ class _Editor:
                 yield from self.flip(place, token)
             elif token.text in FUNCTIONS:
                 for other in FUNCTIONS[token.text]:
-                    yield self.edit(2, token.span, other, f"{token.text} -> {other}")
+                    yield self.edit(Edit.FUNCTION, token.span, other, f"{token.text} -> {other}")
             elif token.kind == "number":
                 yield from self.constant(token)
         for first, last in self.symbols:
@@ -85,15 +100,15 @@ class _Editor:
         """Turn a sign between terms over; drop a leading one."""
         if _ends_operand(self.tokens, place):
             other = "-" if token.text == "+" else "+"
-            yield self.edit(0, token.span, other, f"{token.text} -> {other}")
+            yield self.edit(Edit.SIGN, token.span, other, f"{token.text} -> {other}")
         else:
-            yield self.edit(0, token.span, "", f"drop {token.text}")
+            yield self.edit(Edit.MINUS, token.span, "", f"drop {token.text}")
 
     def constant(self, token: Token) -> Iterator[Repair]:
         for other in CONSTANTS:
             if other != token.text:
-                yield self.edit(4, token.span, other, f"{token.text} -> {other}")
-        yield self.edit(4, token.span, "", f"drop {token.text}")
+                yield self.edit(Edit.CONSTANT, token.span, other, f"{token.text} -> {other}")
+        yield self.edit(Edit.DROP, token.span, "", f"drop {token.text}")
 
     def rename(self, first: int, last: int) -> Iterator[Repair]:
         """Put another symbol for one, by index, by letter, or any; or drop it."""
@@ -105,9 +120,9 @@ class _Editor:
                 continue
             base = len(other) > 1 and len(own) > 1 and other[0] == own[0]
             index = len(other) > 1 and len(own) > 1 and other[1:] == own[1:]
-            rank = 1 if base else 3 if index else 5
-            yield self.edit(rank, span, word, f"{shown} -> {word}")
-        yield self.edit(5, span, "", f"drop {shown}")
+            kind = Edit.INDEX if base else Edit.LETTER if index else Edit.SYMBOL
+            yield self.edit(kind, span, word, f"{shown} -> {word}")
+        yield self.edit(Edit.SYMBOL, span, "", f"drop {shown}")
 
     def insert(self, place: int) -> Iterator[Repair]:
         """Put a minus before a term; put a factor before a term or the argument of a function."""
@@ -120,16 +135,16 @@ class _Editor:
             return
         span = here.span[0], here.span[0]
         if opens:
-            yield self.edit(0, span, "-", "insert -")
+            yield self.edit(Edit.MINUS, span, "-", "insert -")
         for factor in FACTORS:
-            yield self.edit(4, span, factor, f"insert {factor}")
+            yield self.edit(Edit.FACTOR, span, factor, f"insert {factor}")
         for word, _ in self.words:
-            yield self.edit(5, span, word, f"insert {word}")
+            yield self.edit(Edit.SYMBOL, span, word, f"insert {word}")
 
-    def edit(self, rank: int, span: tuple[int, int], new: str, description: str) -> Repair:
+    def edit(self, kind: Edit, span: tuple[int, int], new: str, description: str) -> Repair:
         """Replace a span; a blank keeps a command apart from a letter that follows it."""
         before, after = self.text[: span[0]], self.text[span[1] :]
-        return Repair(rank, span, description, _join(_join(before, new), after))
+        return Repair(kind, span, description, _join(_join(before, new), after))
 
 
 def _join(left: str, right: str) -> str:

@@ -15,7 +15,7 @@ import sympy as sp
 from flint import fmpq
 
 from omniproof.audit.answer import REALS, Domain
-from omniproof.audit.balls import Ball, UnsupportedError, evaluate, rational_ball
+from omniproof.audit.balls import Ball, UnsupportedError, evaluate, exact_number, rational_ball
 
 REACH = 6  # length of the interval in which an unbounded symbol is sampled
 DENOMINATORS = range(3, 14)
@@ -39,7 +39,7 @@ def sample_points(
 
 def bounds(symbol: sp.Symbol, domain: Domain = REALS) -> tuple[Any, Any]:
     """Return the finite interval in which a symbol is sampled, from its sign and the domain."""
-    lower, upper = map(_exact, domain.intervals.get(symbol.name, (-sp.oo, sp.oo)))
+    lower, upper = map(exact_number, domain.intervals.get(symbol.name, (-sp.oo, sp.oo)))
     if symbol.is_nonnegative:
         lower = sp.Max(lower, 0)
     if symbol.is_nonpositive:
@@ -48,10 +48,6 @@ def bounds(symbol: sp.Symbol, domain: Domain = REALS) -> tuple[Any, Any]:
         lower = sp.Integer(-REACH) / 2 if upper == sp.oo else upper - REACH
         upper = sp.Integer(REACH) / 2 if upper == sp.oo else upper
     return lower, lower + REACH if upper == sp.oo else upper
-
-
-def _exact(end: Any) -> Any:
-    return sp.Integer(end) if isinstance(end, int) else end
 
 
 @dataclass(frozen=True)

@@ -94,7 +94,7 @@ def _sign_on_line(function: Quotient, wanted: int) -> Answer:
         return Proved(ENGINE)
     shown = function.digits(wrong) if wrong[0] not in holes else "0"
     witness = Witness(function.name(wrong), CLAIM[wanted], shown)
-    return _on_pieces(function.box, pieces_of(chart, wanted, lambda _: False), witness)
+    return _on_pieces(function.asked[0], pieces_of(chart, wanted, lambda _: False), witness)
 
 
 def _concave(family: Family) -> Answer:
@@ -113,7 +113,7 @@ def _concave(family: Family) -> Answer:
     point = wrong or (pieces[0].upper,)
     shown = curvature.digits(point) if wrong else "undefined"
     witness = Witness(function.name(point), "second derivative <= 0", shown)
-    return _on_pieces(function.box, pieces, witness)
+    return _on_pieces(function.asked[0], pieces, witness)
 
 
 def vanishes_identically(expression: sp.Expr) -> bool:
@@ -136,8 +136,7 @@ def _point_of_sign(box: Box, chart: Chart, wanted: int) -> tuple[Any, ...] | Non
     return None
 
 
-def _on_pieces(box: Box, pieces: tuple[Piece, ...], witness: Witness) -> Answer:
-    (symbol,) = box.symbols
+def _on_pieces(symbol: sp.Symbol, pieces: tuple[Piece, ...], witness: Witness) -> Answer:
     if not pieces:
         return Refuted(ENGINE, witness)
     note = in_degrees(symbol, pieces)

@@ -29,6 +29,7 @@ from omniproof.audit.balls import (
     Program,
     UnsupportedError,
     compile_balls,
+    exact_number,
     format_ball,
     rational_ball,
 )
@@ -46,16 +47,21 @@ LOW, HIGH = 128, 1_024
 UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo)
 
 
+class DisagreementError(RuntimeError):
+    """Balls and normal form contradict each other: a defect of the engine, never of a formula."""
+
+
 def decide(expression: sp.Expr, domain: Domain = REALS) -> Answer:
     """Decide whether a formula is zero at every point of the domain where it is defined.
 
     Symbols are real. Never raises for a formula: what is outside of the class is `Undecided`.
     """
-    return _guarded(expression, sp.S.Zero, domain)
+    return _guarded(exact_number(expression), sp.S.Zero, domain)
 
 
 def decide_equal(printed: sp.Expr, derived: sp.Expr, domain: Domain = REALS) -> Answer:
     """Decide whether two formulas agree wherever both are defined; a witness shows both values."""
+    printed, derived = exact_number(printed), exact_number(derived)
     undefined = [side.has(*UNDEFINED) for side in (printed, derived)]
     if all(undefined):
         return Undecided("both sides contain a division by zero or another undefined value")
@@ -99,7 +105,7 @@ class _Probe:
     def witness(self) -> Witness:
         """Write the point and both values, with as many digits as it takes to see a difference."""
         point = {symbol.name: str(value) for symbol, value in self.point.items()}
-        for digits in (4, 8, 16, 32):
+        for digits in (4, 8, 16, 32, 64, 128):
             sides = format_ball(self.printed, digits), format_ball(self.derived, digits)
             if sides[0] != sides[1]:
                 break
@@ -134,6 +140,8 @@ class _Question:
             return Refuted(ENGINE, differing[0].witness())
         form = normal_form(self.difference)
         if form.is_zero or all(true for _, true in form.patterns()):
+            if differing:
+                raise DisagreementError(f"zero by normal form, not at {differing[0].witness()}")
             return self.proved(probes)
         return self.on_branch(form, differing)
 
