@@ -21,6 +21,7 @@ from omniproof.papers.omni_arrangement.arrangements import isosceles
 from omniproof.papers.omni_arrangement.derivations.evaluation import (
     ARCS,
     planar_columns,
+    sign_of_product,
     volume_by_arcs,
 )
 from omniproof.papers.omni_arrangement.derivations.quantities import (
@@ -38,6 +39,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     free_vectors,
     general,
     height,
+    image_volume,
     invert,
     norm,
     platform,
@@ -109,6 +111,18 @@ def volume_of_domain() -> Relation:
     """Volume of the domain that three free vectors span, and of their parallelepiped."""
     columns = ImmutableMatrix.hstack(*free_vectors())
     return Relation((zonotope.volume(columns), 8 * Abs(invert(columns).determinant)))
+
+
+@REGISTRY.derives("app:B/image-volume")
+def volume_and_image_volume() -> Relation:
+    """Volume that the columns of the inverse span, and the image volume: wheels turn both ways."""
+    determinant = general().determinant
+    spanned, image = 1 / Abs(determinant), image_volume(determinant)
+    return Relation(
+        (spanned, image),
+        correction=r"D_V = 8 \left|\det[\mathbf{a}_1, \mathbf{a}_2, \mathbf{a}_3]\right|",
+        proof=(Obligation(Form.EQUAL, (8 * spanned, image)),),
+    )
 
 
 @REGISTRY.derives("app:B/area-of-base", meanings=_any_columns)
@@ -262,6 +276,12 @@ def edges_of_parallelogram() -> Relation:
     """(det A)^2 times the squared cross product of the edges of U."""
     *_, first_second = cross_products()
     return Relation((first_second**2,))
+
+
+@REGISTRY.derives("app:D/case-2-occurs", rests_on=["sec:3/two-cases"])
+def sign_in_case_2() -> Relation:
+    """(det A)^2 times the product that Case 2 needs to be positive."""
+    return sign_of_product()
 
 
 def _corners() -> tuple[ImmutableMatrix, ...]:

@@ -94,7 +94,7 @@ def volume() -> Expr:
     return image_volume(general().determinant)
 
 
-@REGISTRY.derives("eq:11/unit", "tab:2/unit-of-volume")
+@REGISTRY.derives("eq:11/unit", "tab:2/unit-of-volume", "fig:6/unit-of-volume")
 def volume_by_speed_limit() -> Relation:
     """Image volume for a speed limit of s m/s, for Type (Y)."""
     limit = Symbol("s", positive=True)
@@ -102,7 +102,7 @@ def volume_by_speed_limit() -> Relation:
     return Relation((zonotope.volume(generators, limit), limit**3 * zonotope.volume(generators)))
 
 
-@REGISTRY.derives("tab:2/unit-of-area")
+@REGISTRY.derives("tab:2/unit-of-area", "fig:6/unit-of-area")
 def area_by_speed_limit() -> Relation:
     """Area of the projection for a speed limit of s m/s, for Type (Y)."""
     limit = Symbol("s", positive=True)

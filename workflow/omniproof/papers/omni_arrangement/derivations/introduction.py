@@ -10,8 +10,15 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     general,
     image_area,
     image_volume,
+    platform,
 )
 from omniproof.papers.registry import Relation
+
+
+@REGISTRY.derives("sec:abstract/omnidirectional", rests_on=["sec:4/type-z-angles"])
+def squared_determinants() -> tuple[Expr, ...]:
+    """Squared determinants of the three types: wheel speeds reach every twist unless it is zero."""
+    return tuple(platform(angles).determinant ** 2 for angles in CORRECTED.values())
 
 
 @REGISTRY.derives("sec:1/degrees-of-freedom")
@@ -37,7 +44,7 @@ def _columns() -> list[Expr]:
     return [matrix[:, k] for k in range(matrix.cols)]
 
 
-@REGISTRY.derives("sec:1/type-x-regular")
+@REGISTRY.derives("sec:1/type-x-regular", "sec:4#2/type-x-equilateral", "app:C/type-x-equilateral")
 def sides_of_type_x() -> tuple[Expr, ...]:
     """Squared distances between the wheels of Type (X), in units of the body radius."""
     first, second, third = CORRECTED["X"]
@@ -60,7 +67,7 @@ def _count_symmetries(angles: tuple[Expr, ...]) -> int:
     )
 
 
-@REGISTRY.derives("sec:1/determinant-as-measure")
+@REGISTRY.derives("sec:1/determinant-as-measure", "sec:4#2/determinant-as-measure")
 def measures_by_determinant() -> Relation:
     """Both evaluation functions, each divided by its value for |det A| = 1."""
     determinant = general().determinant
