@@ -1,0 +1,242 @@
+"""omni-arrangement: verdicts against reasons worked out by hand, and what turns them."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from omniproof.audit.ledger import Ledger, Repair, Row, Verdict
+from omniproof.audit.run import audit_paper
+from omniproof.transcription.model import Kind, Uncheckable
+
+# Verdicts: each with the reason, worked out by hand
+
+
+def verdict(row: str, found: str, reason: str, **fields: str) -> Any:
+    return pytest.param(row, {"verdict": found, **fields}, id=f"{row}: {reason}")
+
+
+MINUS = r"\sin \alpha_1 - \sin \alpha_2"
+EXPECTED = [
+    verdict("eq:1[1]", "verified", "a point of the circle of radius L"),
+    verdict("eq:2[2]", "verified", "the tangent is the radius turned by 90 degrees"),
+    verdict("eq:3", "verified", "the rolling constraint is linear in the twist"),
+    verdict("eq:5[3,3]", "verified", "on L phi-dot the lever is 1"),
+    verdict("sec:2/velocity-frame", "conditional",
+            "V resolved in the world frame has to be turned by phi first"),
+    verdict("sec:2.1/n-from-perpendicularity", "conditional",
+            "two opposite unit vectors are perpendicular to q"),
+    verdict("sec:2.1/translation-is-a-length", "conditional",
+            "n . V is negative for a wheel that is carried backwards",
+            assumption=r"- V_x \sin {\alpha_k} + V_y \cos {\alpha_k} \geq 0"),
+    verdict("eq:6[1,1]", "verified", "the minor of entry (1,1) is c2 - c3"),
+    verdict("eq:6[1,3]", "verified", "the minor of entry (3,1) is c1 - c2"),
+    verdict("eq:6[2,2]", "verified", "the minor of entry (2,2) is -s1 + s3"),
+    verdict("eq:6[2,3]", "erratum", "the cofactor of entry (3,2) is -(-s1 + s2) = s1 - s2",
+            correction=MINUS, repair="explained", follows="", consequence="motion"),
+    verdict("eq:6[3,3]", "verified", "the minor of entry (3,3) is s2 c1 - s1 c2"),
+    verdict("eq:7", "verified", "the third column is 1: the sum of its cofactors"),
+    verdict("eq:10/a3[2]", "erratum", "it is entry (2,3) of Eq. (6) over the determinant",
+            correction=MINUS, follows="eq:6[2,3]"),
+    verdict("eq:14/a3[2]", "erratum", "it is entry (2,3) of Eq. (6) over the determinant",
+            correction=MINUS, follows="eq:6[2,3]"),
+    verdict("eq:10/a2[2]", "verified", "column 2 has no misprint"),
+    verdict("eq:14/a1[3]", "verified", "a projection on the velocity plane has no third component"),
+    verdict("eq:11", "conditional", "a volume is 8 / |det A|, and det A < 0 for wheels counted "
+            "clockwise", assumption=r"\det \mathbf{A} > 0"),
+    verdict("eq:12", "conditional", "2 cos t + sin 2t = 2 cos t (1 + sin t) < 0 for cos t < 0",
+            follows="eq:11"),
+    verdict("sec:3/three-parameters", "verified", "each derivative of det A is a difference of "
+            "two cosines, nonzero somewhere"),
+    verdict("sec:3/minimum-equilateral", "verified",
+            "|det A| = 4 |sin A/2 sin B/2 sin C/2| is largest for A = B = C", follows="eq:11"),
+    verdict("sec:3/two-cases", "erratum",
+            "a1 + a2 + a3 = (0,0,1), so a3 = -a1 - a2 and the product is -(a1 x a2)^2"),
+    verdict("eq:15/case-1", "verified", "4|d| + 4|2d| = 12|d| with d = a1 x a2"),
+    verdict("eq:15/case-2", "verified", "a3 = p a1 - q a2: 4|d|(1 + p + q) on both sides"),
+    verdict("eq:15/case-1-condition", "verified", "the product is -p q d^2, case 1 is p q > 0"),
+    verdict("eq:15/case-2-condition", "verified", "the product is -p q d^2, case 2 is p q < 0"),
+    verdict("sec:4/type-x-angles", "verified", "theta = 30 degrees", follows=""),
+    verdict("sec:4/type-y-angles", "verified", "theta = 0", follows=""),
+    verdict("sec:4/type-z-angles", "erratum", "arcs 60, 30, 270 are no isosceles triangle; "
+            "60, 60, 240 is, and gives 9.24", correction=r"\{210^\circ, 270^\circ, 330^\circ\}"),
+    verdict("tab:2[X,D_V]", "verified", "16 sqrt(3)/9 = 3.0792"),
+    verdict("tab:2[X,D_A]", "misrounded", "8 sqrt(3)/3 = 4.6188 rounds to 4.62",
+            correction="4.62", consequence="number"),
+    verdict("tab:2[Y,D_V]", "verified", "det A = 2, 8/2 = 4 exactly", follows=""),
+    verdict("tab:2[Y,D_A]", "verified", "det A = 2, 12/2 = 6 exactly"),
+    verdict("tab:2[Z,D_V]", "verified", "16 sqrt(3)/3 = 9.2376, at the corrected angles",
+            follows="sec:4/type-z-angles"),
+    verdict("tab:2[Z,D_A]", "misrounded", "8 sqrt(3) = 13.8564 rounds to 13.86",
+            correction="13.86"),
+    verdict("fig:4/stretched-along-vx", "verified", "half-widths 4/3, 2, 4",
+            follows="sec:4/type-z-angles"),
+    verdict("fig:5/stretched-along-vx", "verified", "half-widths 4/3, 2, 4",
+            follows="sec:4/type-z-angles"),
+    verdict("fig:4/stretched-along-lphi", "conditional", "half-widths 1, 1, 3: from (X) to (Y) "
+            "nothing is stretched"),
+    verdict("sec:4/type-x-smallest-volume", "verified", "3.08 < 4 < 9.24"),
+    verdict("sec:4/type-z-largest-area", "verified", "4.62 < 6 < 13.86"),
+    verdict("sec:4/type-z-translation", "conditional",
+            "without rotation (Y) reaches 4 and (Z) 2 sqrt(3)"),
+    verdict("sec:4#2/type-z-most-efficient", "conditional", "the same claim again",
+            follows="sec:4/type-z-translation"),
+    verdict("sec:4/minimum-of-volume", "verified", "the derivative -2 sin t + 2 cos 2t vanishes at "
+            "sin t = 1/2 only"),
+    verdict("sec:4/minimum-of-area", "verified", "D_A = 3/2 D_V"),
+    verdict("app:A/cofactor-of", "erratum", "a~12 as printed is the cofactor of entry (2,1)"),
+    verdict("app:A/matrix", "inconsistent", "(A,2) has a factor L that the matrix of Eq. (5) "
+            "does not give"),
+    verdict("eq:A.2/a11", "verified", "right for a third column L", follows="app:A/matrix"),
+    verdict("eq:A.2/a22", "erratum", "the cofactor of entry (2,2) is -s1 + s3; s1 - s1 vanishes",
+            correction=r"\widetilde{a}_{2,2} &= -L \sin \alpha_1 + L \sin \alpha_3",
+            repair="explained"),
+    verdict("eq:A.2/a13", "erratum", "the cofactor of entry (3,1) is c1 - c2; theta_1 is nothing",
+            correction=r"\widetilde{a}_{1,3} &= L \cos \alpha_1 - L \cos \alpha_2",
+            repair="explained"),
+    verdict("eq:A.3", "erratum", "with a third column L the sum of the minors lacks a factor L",
+            follows="app:A/matrix"),
+    verdict("eq:A.4/a32-line-2", "verified", "s1 c3 - c1 s3 = sin(a1 - a3)", follows=""),
+    verdict("eq:B.2", "conditional", "the triple product is negative for a left-handed triple"),
+    verdict("eq:B.3", "verified", "base times height, whatever the handedness"),
+    verdict("eq:B.3#2/volume", "conditional", "the triple product has a sign"),
+    verdict("eq:B.3#2/determinant", "verified", "expand by the third column"),
+    verdict("eq:C.5", "verified", "C = 360 - (a3 - a1)"),
+    verdict("eq:C.6", "verified", "right for a third column L", follows="app:A/matrix"),
+    verdict("app:C/sine-concave", "conditional", "the second derivative -sin t is positive "
+            "beyond 180 degrees", assumption=r"0 < t \leq \pi"),
+    verdict("app:C/sine-maximal-at-120", "erratum", "the sine is largest at 90 degrees"),
+    verdict("app:C/inverse-maximal", "erratum", "det A is largest there, so 1/det A is smallest",
+            correction=r"1/\det \mathbf{A} \text{ is smallest there}"),
+    verdict("app:C/volume-minimised", "verified", "the conclusion holds, though the argument "
+            "leaves arcs beyond 180 degrees out"),
+    verdict("eq:D.2", "verified", "a2 x a3 = -p d, a1 x a3 = q d: opposite signs iff p q > 0"),
+    verdict("eq:D.3", "verified", "the product of both"),
+    verdict("xref:app-d-cites-eq-12", "erratum", "Eq. (12) is the volume, D_A stands in Eq. (15)",
+            correction="eq:15"),
+    verdict("xref:app-d-cites-eq-12#2", "erratum", "Eq. (12) is the volume", correction="eq:15"),
+    verdict("xref:sec-4-cites-eq-12", "verified", "Eq. (12) is the volume, and is cited for it"),
+    verdict("sec:1/chapter-2-defines-evaluation", "inconsistent", "Chapter 3 defines them"),
+    verdict("tab:1[7]", "inconsistent", "a sphere in Table 1, a mobile robot in the text"),
+    verdict("tab:1[19]", "verified", "phi-dot in Table 1 and in Eq. (4)"),
+    verdict("sec:4#2/section-number", "editorial", "two sections have the number 4"),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def rows(omni_arrangement: Ledger) -> dict[str, Row]:
+    return {row.id: row for row in omni_arrangement.rows}
+
+
+@pytest.mark.parametrize(("row", "fields"), EXPECTED)
+def test_verdicts(row: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
+    found = rows[row].model_dump(mode="json")
+    assert {name: found[name] for name in fields} == fields
+
+
+# What holds for every row
+
+DECIDED = {Kind.IDENTITY, Kind.VALUE, Kind.RELATION}
+
+
+def complaints(row: Row) -> Iterator[str]:
+    """Everything that the contract on verdicts asks of a row, and that this row lacks."""
+    decided = row.kind in DECIDED
+    if row.verdict is Verdict.UNDECIDED:
+        yield f"undecided: {row.note}"
+    if row.verdict in {Verdict.ERRATUM, Verdict.MISROUNDED} and decided:
+        yield from (name for name in ("witness", "correction", "engines") if not getattr(row, name))
+        if row.repair is Repair.NONE:
+            yield "repair"
+    if row.verdict is Verdict.CONDITIONAL:
+        yield from (name for name in ("witness", "assumption") if not getattr(row, name))
+    if row.verdict is Verdict.VERIFIED and decided and not row.engines:
+        yield "engines"
+    if row.verdict is Verdict.VERIFIED and row.correction + row.witness + row.assumption:
+        yield "a right row needs no correction"
+    if row.kind is Kind.VALUE and row.verdict is not Verdict.UNCHECKABLE and not row.interval:
+        yield "interval"
+    if row.verdict is Verdict.UNCHECKABLE and not names_its_class(row.note):
+        yield f"no class of uncheckable in {row.note!r}"
+    if row.verdict.is_fault != bool(row.consequence):
+        yield "consequence"
+
+
+def names_its_class(note: str) -> bool:
+    return "decide" in note and any(name.value in note for name in Uncheckable)
+
+
+ALLOWED = {
+    Kind.IDENTITY: {"verified", "conditional", "erratum", "model-gap", "uncheckable"},
+    Kind.VALUE: {"verified", "misrounded", "erratum", "inconsistent", "uncheckable"},
+    Kind.RELATION: {"verified", "conditional", "erratum", "model-gap", "uncheckable"},
+    Kind.CONSISTENCY: {"verified", "inconsistent"},
+    Kind.REFERENCE: {"verified", "erratum", "uncheckable"},
+    Kind.EDITORIAL: {"editorial"},
+}
+
+
+def test_every_row_shows_what_its_verdict_needs(omni_arrangement: Ledger) -> None:
+    found = {row.id: list(complaints(row)) for row in omni_arrangement.rows}
+    assert {name: lacking for name, lacking in found.items() if lacking} == {}
+
+
+def test_every_verdict_is_one_that_its_kind_can_take(omni_arrangement: Ledger) -> None:
+    wrong = [row.id for row in omni_arrangement.rows if row.verdict not in ALLOWED[row.kind]]
+    assert wrong == []
+
+
+def test_ids_are_unique_and_faults_that_explain_are_rows(omni_arrangement: Ledger) -> None:
+    ids = [row.id for row in omni_arrangement.rows]
+    faults = {row.id for row in omni_arrangement.rows if row.verdict.is_fault}
+    assert len(set(ids)) == len(ids)
+    assert {row.follows for row in omni_arrangement.rows} - faults == {""}
+
+
+def test_only_references_and_matters_of_wording_are_read(omni_arrangement: Ledger) -> None:
+    read = {row.kind for row in omni_arrangement.rows if row.origin == "read"}
+    assert read == {Kind.REFERENCE, Kind.EDITORIAL}
+
+
+def test_both_rows_of_a_contradiction_name_each_other(rows: dict[str, Row]) -> None:
+    pair = ("sec:1/chapter-2-defines-evaluation", "sec:3/evaluation-chapter")
+    assert [rows[name].note.endswith(f"differs from {other}.")
+            for name, other in (pair, pair[::-1])] == [True, True]  # fmt: skip
+
+
+# Altered print: exactly the right rows turn
+
+
+@pytest.fixture(scope="module")
+def turned(
+    root: Path, rows: dict[str, Row], tmp_path_factory: pytest.TempPathFactory
+) -> dict[str, tuple[str, str]]:
+    """Verdicts before and after one entry of Eq. (6) and one cell of Table 2 are altered."""
+    folder = tmp_path_factory.mktemp("altered") / "omni-arrangement"
+    shutil.copytree(root / "paper_data" / "omni-arrangement", folder)
+    replace_once(folder / "paper.yaml", r"\sin(\alpha_2 - \alpha_3) & -\sin(\alpha_3 - \alpha_1) &",
+                 r"\sin(\alpha_2 - \alpha_3) & -\cos(\alpha_3 - \alpha_1) &")  # fmt: skip
+    replace_once(folder / "table-2.csv", "Y,4.00,", "Y,4.01,")
+    after = {row.id: row for row in audit_paper(folder).rows}
+    assert after.keys() == rows.keys()
+    return {name: (row.verdict.value, after[name].verdict.value)
+            for name, row in rows.items() if row != after[name]}  # fmt: skip
+
+
+def replace_once(file: Path, old: str, new: str) -> None:
+    text = file.read_text(encoding="utf-8")
+    assert text.count(old) == 1
+    file.write_text(text.replace(old, new), encoding="utf-8")
+
+
+def test_one_altered_entry_and_one_altered_cell_turn_their_own_rows_only(
+    turned: dict[str, tuple[str, str]],
+) -> None:
+    assert turned == {
+        "eq:6[3,2]": ("verified", "erratum"),
+        "tab:2[Y,D_V]": ("verified", "misrounded"),
+    }
