@@ -40,7 +40,7 @@ def judge_claim(claim: Claim, context: Context) -> list[Row]:
 
 def _judge_uncheckable(claim: Claim, context: Context) -> Row:
     row = start(claim, context).model_copy(update={"verdict": Verdict.UNCHECKABLE})
-    return with_note(row, f"{claim.uncheckable}: {claim.decided_by} would decide it")
+    return with_note(row, f"{claim.uncheckable}. Would decide it: {claim.decided_by}")
 
 
 _BY_ROUNDING = {

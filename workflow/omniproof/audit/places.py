@@ -10,8 +10,8 @@ _OBJECTS = {
     "fig": "Figure {}",
     "sec": "Section {}",
     "app": "Appendix ({})",
-    "xref": "Reference: {}",
 }
+_NAMED = {"abstract": "Abstract", "references": "References", "authors": "About the authors"}
 
 
 def where(claim: str) -> str:
@@ -22,8 +22,13 @@ def where(claim: str) -> str:
     parts = ID.fullmatch(claim)
     if parts is None:
         raise ValueError(f"expected an id such as eq:6[2,3], got {claim!r}")
-    number = parts["number"].replace("-", " ") if parts["object"] == "xref" else parts["number"]
-    words = [_OBJECTS[parts["object"]].format(number)]
+    number = parts["number"]
+    if number in _NAMED:
+        words = [_NAMED[number]]
+    elif parts["object"] == "xref":
+        words = [f"Reference: {number.replace('-', ' ')}"]
+    else:
+        words = [_OBJECTS[parts["object"]].format(number)]
     if parts["again"]:
         words.append(f"place {parts['again'][1:]}")
     if parts["part"]:

@@ -6,20 +6,20 @@ address: that is an error at once. A row that no section has shown appears in `r
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from omniproof.audit.ledger import Ledger, Row, read_json
+from omniproof.audit.ledger import Ledger, Row, Verdict, read_json
 from omniproof.report.anchors import anchor, base, selects
 from omniproof.report.fragments.addresses import Addresses
-from omniproof.report.fragments.base import Fragment, results_folder
+from omniproof.report.fragments.base import Fragment, link, results_folder, table
 from omniproof.report.fragments.claims import group_html, groups
 from omniproof.report.fragments.counts import accounting_html
 from omniproof.report.fragments.figures import figure_html, read_about
 from omniproof.report.fragments.tables import Labels, beside_html, list_html
 from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_html
 from omniproof.report.fragments.values import Value
-from omniproof.report.latexfmt import cell
+from omniproof.report.latexfmt import cell, inline
 
 
 class Chapter:
@@ -70,6 +70,26 @@ class Chapter:
         return Fragment(
             self._boxed(found, list_html(found, self.href)), f"list {' '.join(selectors)}"
         )
+
+    def grid(self, head: Sequence[str], rows: Iterable[Sequence[str]]) -> Fragment:
+        """Show computed cells (text with `$math$`) under column heads; the first names the row."""
+        body = [
+            f'<tr><th scope="row">{inline(first)}</th>'
+            + "".join(f"<td>{inline(text)}</td>" for text in others)
+            + "</tr>"
+            for first, *others in rows
+        ]
+        return Fragment(table([inline(text) for text in head], body, "grid"), "grid")
+
+    def conditions(self) -> Fragment:
+        """Show what each conditional row needs; the rows themselves stand in their sections."""
+        body = [
+            f'<tr><th scope="row">{link(row.id, self.href)}</th><td>{cell(row.printed)}</td>'
+            f"<td>{cell(row.assumption)}</td></tr>"
+            for row in self.ledger.rows
+            if row.verdict is Verdict.CONDITIONAL
+        ]
+        return Fragment(table(["place", "printed", "holds for"], body, "grid"), "conditions")
 
     def figure(self, number: int) -> Fragment:
         """Show figure N of the paper as it was drawn again."""
