@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from sympy import (
     Abs,
     And,
@@ -192,6 +195,29 @@ def test_message(text: str, lines: list[str]) -> None:
     with pytest.raises(LatexError) as refused:
         evaluate(read(text), MEANINGS, text)
     assert str(refused.value).split("\n") == lines
+
+
+PIECES = [
+    "a", "b", "2", "0", "-", "+", "=", "<", "(", ")", "[", "]", ",", "/", "u", "p", "M", "^T", "^2",
+    "^{-1}", "^{99}", "|", "\\|", "\\sqrt", "{", "}", "\\sin", "\\tan", "90^\\circ", "\\pi",
+    "\\det", "\\times", "\\cdot", "\\langle", "\\rangle", "\\{", "\\}", "\\mid", "\\frac", "_z", "&",
+    "\\\\", "\\begin{pmatrix}", "\\end{pmatrix}", "\\begin{cases}", "\\end{cases}", "\\text{ or }", "1",
+    "\\Leftrightarrow", "\\cos^{-1}", "\\operatorname{atan2}", "M", "u", "v", "\\neq",
+]  # fmt: skip
+
+
+@settings(deadline=None, max_examples=400, suppress_health_check=[HealthCheck.filter_too_much])
+@given(st.lists(st.sampled_from(PIECES), min_size=1, max_size=14).map(" ".join))
+def test_what_is_read_has_a_value_or_is_refused(text: str) -> None:
+    with suppress(LatexError):
+        evaluate(read(text), MEANINGS, text)
+
+
+def test_huge_powers_are_refused() -> None:
+    with pytest.raises(LatexError, match="expected a smaller power of a number"):
+        evaluate(read("((9^{99999})^{99999})^{99999}"), {})
+    with pytest.raises(LatexError, match="expected a power of a matrix up to 8"):
+        evaluate(read("M^{9}"), MEANINGS)
 
 
 def test_without_the_source_a_message_shows_the_part() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -198,7 +200,8 @@ BAD = [
     pytest.param(FORMULA, "__import__('os').system('touch hacked')", [
         f"{FILE}:24:12: claims[eq:1].latex: expected a number, a symbol or a bracket, found `_`",
         "    __import__('os').system('touch hacked')",
-        "    ^", *ONE],
+        "    ^",
+        "    write LaTeX as the paper prints it, in symbols that are declared", *ONE],
         id="code in a formula"),
     pytest.param(FORMULA, r"'L + \sin'", [
         rf"{FILE}:24:12: claims[eq:1].latex: expected the argument of `\sin`, found the end of the "
@@ -345,8 +348,10 @@ TABLES = [
         f"{CSV}:2:1: tab:2: expected 3 cells as in the header, found 2",
         "    give every row the same number of cells"], id="short row"),
     pytest.param("type,D_V,D_A\nX,,about 4\n", [
-        f"{CSV}:2:3: tab:2: expected a decimal, found nothing",
-        f"{CSV}:2:4: tab:2: expected a decimal such as 4.00, found 'about 4'"], id="cells"),
+        f"{CSV}:2:3: tab:2[X,D_V]: expected a decimal, found nothing",
+        "    write the digits that the paper prints, zeros included",
+        f"{CSV}:2:4: tab:2[X,D_A]: expected a decimal such as 4.00, found 'about 4'",
+        "    write the digits that the paper prints, zeros included"], id="cells"),
     pytest.param("type,D_V,D_V\nX,1,2\nX,1,2\nType Y,1,2\n", [
         f"{CSV}:1:10: tab:2: expected each column name once, found `D_V` again",
         "    the first one is on line 1",
@@ -385,3 +390,8 @@ def test_many_faults_are_counted(folder: Path) -> None:
     lines = faults_of(folder)
     assert lines[-2:] == ["and 30 more", f"80 faults in {FILE}"]
     assert sum(line.startswith(FILE) for line in lines) == 50
+
+
+def test_loading_needs_no_algebra_system() -> None:
+    code = "import omniproof.transcription.loader, sys; sys.exit('sympy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

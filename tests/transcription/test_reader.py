@@ -208,6 +208,7 @@ WITH_SYMBOLS = [
         r"L(a, b)^T", Product((Name("L"), Transpose(Tuple((A, B))))), id="a variable times a vector"
     ),
     pytest.param("Rot(x, y)", Applied("Rot", (X, Y)), id="declared words"),
+    pytest.param(r"\mathrm{Rot}(x, y)", Applied("Rot", (X, Y)), id="declared words in a font"),
     pytest.param("Rt", Product((Name("R"), Name("t"))), id="other letters are factors"),
 ]
 
@@ -347,6 +348,21 @@ REFUSED = [
         "expected `}` to close the script, found `/`",
         "    x^{1/2}",
         "        ^"], id="fractional power"),
+    pytest.param(r"\sin^{--1} x", [
+        "expected a whole power",
+        r"    \sin^{--1} x",
+        "         ~~~~^",
+        r"    write roots with `\sqrt`"], id="power with two signs"),
+    pytest.param(r"2 \mathbf{AB}", [
+        "`AB` may be one symbol or a product",
+        r"    2 \mathbf{AB}",
+        "      ~~~~~~~~~^",
+        r"    declare `AB`, or give each letter its own `\mathbf`"], id="two letters in one font"),
+    pytest.param("L = 1,000", [
+        "expected a number without zeros before it",
+        "    L = 1,000",
+        "          ~~^",
+        "    write thousands without a comma"], id="comma of thousands"),
     pytest.param("(x)^{0.5}", [
         "expected a whole power",
         "    (x)^{0.5}",

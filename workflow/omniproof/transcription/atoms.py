@@ -1,5 +1,5 @@
 # ruff: noqa: D403 - the docstring of a rule is the rule
-r"""The smallest parts of a formula: numbers, symbols, brackets, functions, matrices.
+r"""The smallest parts of a formula: numbers, symbols, functions, fractions, roots.
 
 What mathematicians print without brackets is read as they read it (`\sin 2\theta \cos \theta` is a
 product of two); what they would ask about (`\sin 2(a - b)`, `f(x)` of an unknown f) is refused.
@@ -7,33 +7,25 @@ product of two); what they would ask about (`\sin 2(a - b)`, `f(x)` of an unknow
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Collection, Iterator, Mapping
-from contextlib import contextmanager
-from dataclasses import replace
+from collections.abc import Callable, Collection, Mapping
 
-from omniproof.transcription.symbols import SymbolReader
-from omniproof.transcription.tokens import FUNCTIONS, MAX_DEPTH, LatexError
+from omniproof.transcription.enclosed import EnclosedReader
+from omniproof.transcription.tokens import FUNCTIONS, MAX_DEPTH, LatexError, Token
 from omniproof.transcription.tree import (
-    STATEMENTS,
-    Absolute,
     Applied,
-    Branch,
     Call,
-    Cases,
     Degrees,
     Determinant,
-    Inner,
     MatrixLiteral,
     Name,
     Negative,
     Node,
-    Norm,
     Number,
     Pi,
     Power,
     Quotient,
-    SetBuilder,
     Tuple,
 )
 
@@ -41,7 +33,7 @@ INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
 PLAIN = (Name, Number, Degrees, Pi, Applied)
 
 
-class AtomReader(SymbolReader, ABC):
+class AtomReader(EnclosedReader, ABC):
     """Reads atoms; the rules for sums and statements come from the reader above."""
 
     def __init__(
@@ -54,27 +46,13 @@ class AtomReader(SymbolReader, ABC):
         super().__init__(source, declared)
         self.quantities = quantities
         self.shorthands = shorthands
-        self.bars: list[str] = []
         self.depth = 0
-        self.brackets: dict[int, tuple[Node, int]] = {}
         self.rules: dict[str, Callable[[int], Node]] = {
             "(": self.bracket, "[": self.bracket, "{": self.group, "\\{": self.braces,
             "|": self.between_bars, "\\|": self.between_bars, "\\langle": self.inner,
             "\\frac": self.fraction, "\\binom": self.binomial, "\\sqrt": self.root,
             "\\det": self.determinant, "\\operatorname": self.operator,
         }  # fmt: skip
-
-    @abstractmethod
-    def entry(self) -> Node:
-        """Read a sum that is no statement."""
-
-    @abstractmethod
-    def statement(self) -> Node:
-        """Read a statement, or an expression where nothing is stated."""
-
-    @abstractmethod
-    def items(self) -> tuple[Node, ...]:
-        """Read statements or expressions, separated by commas."""
 
     def at_atom(self) -> bool:
         """Whether an atom starts here; a bar does unless it closes one."""
@@ -117,6 +95,9 @@ class AtomReader(SymbolReader, ABC):
                 return Degrees(token.text, span=self.since(token.span[0]))
         if self.peek().kind == "number":
             self.expected("a sign between two numbers", "write `\\cdot` between them")
+        if token.text.isdigit() and len(token.text.lstrip("0")) < len(token.text) > 1:
+            cure = "write thousands without a comma"
+            self.refuse("expected a number without zeros before it", token.span[0], cure)
         return Number(token.text, span=token.span)
 
     def named(self) -> Node:
@@ -124,7 +105,8 @@ class AtomReader(SymbolReader, ABC):
         token, start = self.peek(), self.start
         if token.text in self.shorthands and self.peek(1).kind in {"symbol", "accent", "font"}:
             self.place += 1
-            argument = Name(self.symbol(), span=self.since(start + 1))
+            begin = self.start
+            argument = Name(self.symbol(), span=self.since(begin))
             if self.at("^"):
                 self.expected(
                     "brackets around the argument", f"write `{token.text}({token.text}…)`"
@@ -176,91 +158,25 @@ class AtomReader(SymbolReader, ABC):
         start = self.start
         return self.value(self.atom(), start)
 
-    def value(self, node: Node, start: int) -> Node:
-        """Refuse a statement where a value is needed."""
-        if isinstance(node, STATEMENTS):
-            self.refuse(
-                "expected a value, found a statement", start, "state it in a claim of its own"
-            )
-        return node
-
-    def bracket(self, start: int) -> Node:
-        """bracket = "(" items ")" | "[" items "]"; one item is grouped, several are a vector."""
-        opened = self.place
-        if opened not in self.brackets:
-            items = self.enclosed_items()
-            span = self.since(start)
-            node = replace(items[0], span=span) if len(items) == 1 else Tuple(items, span=span)
-            self.brackets[opened] = node, self.place
-        node, self.place = self.brackets[opened]
-        return node
-
-    def enclosed_items(self) -> tuple[Node, ...]:
-        """Read the items in a bracket; bars outside do not end inside."""
-        with self.sealed(), self.enclosed():
-            return self.items()
-
-    @contextmanager
-    def sealed(self) -> Iterator[None]:
-        """Read an inner part in which the bars outside do not end."""
-        bars, self.bars = self.bars, []
-        yield
-        self.bars = bars
-
-    def group(self, start: int) -> Node:
-        """group = "{" statement "}"."""
-        with self.sealed(), self.enclosed():
-            node = self.statement()
-        return replace(node, span=self.since(start))
-
-    def braces(self, start: int) -> Node:
-        r"""braces = "\{" items ["\mid" items] "\}"."""
-        conditions: tuple[Node, ...] = ()
-        with self.sealed(), self.enclosed():
-            items = self.items()
-            if self.consume("\\mid"):
-                conditions = self.items()
-        if conditions and len(items) == 1:
-            return SetBuilder(items[0], conditions, span=self.since(start))
-        if conditions:
-            self.refuse("expected one element before `\\mid`", start, "put it into brackets")
-        if len(items) == 1:
-            return replace(items[0], span=self.since(start))
-        return Tuple(items, "set", span=self.since(start))
-
-    def between_bars(self, start: int) -> Node:
-        r"""bars = "|" entry "|" | "\|" entry "\|"; plain bars end at the first that may."""
-        opened = self.take()
-        with self.sealed():
-            self.bars = [] if opened.kind == "open" else [opened.text]
-            inner = self.entry()
-            if opened.kind == "open" and self.peek().kind != "close":
-                self.expected(f"`\\right{opened.text}`", "balance the bars")
-            self.close(opened, opened.text)
-        kind = Absolute if opened.text == "|" else Norm
-        return kind(inner, span=self.since(start))
-
-    def inner(self, start: int) -> Node:
-        r"""inner = "\langle" sum "," sum "\rangle"."""
-        items = self.enclosed_items()
-        if len(items) != 2:
-            self.refuse("expected two vectors in an inner product", start, "write ⟨a, b⟩")
-        return Inner(*items, span=self.since(start))
-
     def part(self) -> Node:
         """part = "{" sum "}" | one character | command."""
-        start, token = self.start, self.peek()
-        if token.kind == "number" and len(token.text) > 1 and token.text.isdigit():
-            split = [Number(digit) for digit in token.text]
-            head = type(token)("number", split[0].text, (token.span[0], token.span[0] + 1))
-            rest = type(token)("number", token.text[1:], (token.span[0] + 1, token.span[1]))
-            self.tokens = (*self.tokens[: self.place], head, rest, *self.tokens[self.place + 1 :])
-        if token.kind == "number" and not self.at("{"):
-            token = self.take()
+        start = self.start
+        if self.peek().kind == "number":
+            token = self.first_digit()
             return Number(token.text, span=token.span)
-        if token.kind == "symbol":
+        if self.peek().kind == "symbol":
             return _pi(Name(self.base(), span=self.since(start)))
         return self.expression()
+
+    def first_digit(self) -> Token:
+        """Take one character of a number, as TeX does for an argument without braces."""
+        token = self.take()
+        if len(token.text) == 1 or not token.text.isdigit():
+            return token
+        start, end = token.span
+        rest = Token("number", token.text[1:], (start + 1, end))
+        self.tokens = (*self.tokens[: self.place], rest, *self.tokens[self.place :])
+        return Token("number", token.text[0], (start, start + 1))
 
     def fraction(self, start: int) -> Node:
         r"""fraction = "\frac" part part."""
@@ -321,7 +237,7 @@ class AtomReader(SymbolReader, ABC):
         """exponent = digit | "{" ["-"] digits "}"."""
         start = self.start
         script = self.script().strip("{}")
-        if not script.lstrip("+-").isdigit() or len(script) > 6:
+        if not re.fullmatch("[-+]?[0-9]{1,6}", script):
             self.refuse("expected a whole power", start, "write roots with `\\sqrt`")
         return int(script)
 
@@ -334,60 +250,6 @@ class AtomReader(SymbolReader, ABC):
     @abstractmethod
     def juxtaposed(self, function: str) -> Node:
         """Read the argument of a function without brackets."""
-
-    def matrix(self) -> Node:
-        r"""matrix = "\begin" "{" name "}" row {"\\" row} "\end" "{" name "}"."""
-        opened = self.take()
-        rows = [self.row(opened.text)]
-        while self.consume_kind("row") and self.peek().kind != "end":
-            start = self.start
-            rows.append(self.row(opened.text))
-            if len(rows[-1]) != len(rows[0]):
-                self.refuse(
-                    f"expected {len(rows[0])} entries in row {len(rows)}, found {len(rows[-1])}",
-                    start, "give every row the same number of entries",
-                )  # fmt: skip
-        self.end_environment(opened.text, opened.span[0])
-        return MatrixLiteral(tuple(rows), span=self.since(opened.span[0]))
-
-    def row(self, name: str) -> tuple[Node, ...]:
-        """row = entry {"&" entry}."""
-        with self.sealed():
-            cells = [self.entry()]
-            while self.consume("&"):
-                cells.append(self.entry())
-        return tuple(cells)
-
-    def consume_kind(self, kind: str) -> bool:
-        """Step over the next token if it is of this kind."""
-        found = self.peek().kind == kind
-        self.place += found
-        return found
-
-    def end_environment(self, name: str, start: int) -> None:
-        r"""Step over `\end{name}`."""
-        if self.peek().kind != "end" or self.peek().text != name:
-            self.expected(f"`\\end{{{name}}}`")
-        self.place += 1
-
-    def cases(self) -> Node:
-        r"""cases = "\begin{cases}" branch {"\\" branch} "\end{cases}"."""
-        opened = self.take()
-        branches: list[Branch] = []
-        while self.peek().kind != "end":
-            branches.append(self.branch())
-            if not self.consume_kind("row"):
-                break
-        self.end_environment("cases", opened.span[0])
-        return Cases(tuple(branches), span=self.since(opened.span[0]))
-
-    def branch(self) -> Branch:
-        r"""branch = sum ("&" | "\\" | ",") statement."""
-        start = self.start
-        value = self.entry()
-        if not (self.consume("&", ",") or self.consume_kind("row")):
-            self.expected("a condition", "write `value & condition`")
-        return Branch(value, self.statement(), span=self.since(start))
 
 
 FUNCTIONS_IN_WORDS = FUNCTIONS | {"atan2"}

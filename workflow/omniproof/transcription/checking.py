@@ -217,7 +217,8 @@ class Check:
             if start <= error.span[0] < start + len(fragment) + 1 and len(fragments) > 1:
                 path = (*path, k)
             start += len(fragment) + 1
-        self.fault(path, error.picture, error.cure)
+        cure = error.cure or "write LaTeX as the paper prints it, in symbols that are declared"
+        self.fault(path, error.picture, cure)
 
     def printed(self, *keys: str) -> set[str]:
         """Names of all entries of these lists in the file, those with faults included."""

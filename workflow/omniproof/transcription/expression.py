@@ -30,6 +30,9 @@ Value: TypeAlias = Any
 """An expression, a matrix, a relation, or a tuple of these."""
 
 AXES = {"x": 0, "y": 1, "z": 2}
+MAX_BITS = 40_000
+"""Powers of numbers beyond this size are refused, and so are high powers of matrices."""
+MAX_MATRIX_POWER = 8
 COMPARE: dict[str, Callable[..., Any]] = {
     "<": sympy.Lt, ">": sympy.Gt, "\\leq": sympy.Le, "\\geq": sympy.Ge, "\\neq": sympy.Ne,
 }  # fmt: skip
@@ -204,12 +207,16 @@ def _quotient(scope: _Scope, node: tree.Quotient) -> Value:
 
 
 def _power(scope: _Scope, node: tree.Power) -> Value:
-    base = scope.value(node.base)
+    base, size = scope.value(node.base), abs(node.exponent)
     if _is_scalar(base):
         if base == 0 and node.exponent < 0:
             scope.refuse(node, "cannot divide by 0")
+        if base.is_Rational and max(base.p, -base.p, base.q).bit_length() * size > MAX_BITS:
+            scope.refuse(node, "expected a smaller power of a number")
         return base**node.exponent
     base = scope.square(node.base)
+    if size > MAX_MATRIX_POWER:
+        scope.refuse(node, f"expected a power of a matrix up to {MAX_MATRIX_POWER}")
     if node.exponent >= 0:
         return base**node.exponent
     determinant = base.det()
@@ -287,7 +294,11 @@ def _matrix(scope: _Scope, node: tree.MatrixLiteral) -> Value:
 
 
 def _comparison(scope: _Scope, node: tree.Comparison) -> Value:
-    return COMPARE[node.operator](scope.number(node.left), scope.number(node.right))
+    left, right = scope.number(node.left), scope.number(node.right)
+    try:
+        return COMPARE[node.operator](left, right)
+    except TypeError:
+        return scope.refuse(node, "cannot compare numbers that are not real")
 
 
 def _logic(scope: _Scope, node: tree.Logic) -> Value:

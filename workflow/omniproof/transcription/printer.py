@@ -46,7 +46,8 @@ def _product(node: tree.Product) -> str:
     """Factors side by side; a dot where numbers meet or a bracket might be an argument."""
     text = ""
     for place, factor in enumerate(node.factors):
-        part = _in(factor, PRODUCT if place == 0 else POWER)
+        grouped = place > 0 or isinstance(factor, tree.Product)
+        part = _in(factor, POWER if grouped else PRODUCT)
         starred = text and (part[0].isdigit() or part[0] == "(")
         text += (" * " if starred else " " if text else "") + part
     return text

@@ -97,9 +97,9 @@ class Reader(AtomReader):
     def separator(self) -> bool:
         """Step over what may stand between two statements."""
         start = self.place
-        self.consume(",", ".", ";")
-        if self.peek().kind == "row":
-            self.place += 1
+        if not self.consume(",", ";") and self.peek(1).kind in {"row", END.kind}:
+            self.consume(".")
+        self.consume_kind("row")
         return self.consume_text("and") or self.place > start
 
     def consume_text(self, *words: str) -> bool:
@@ -135,7 +135,7 @@ class Reader(AtomReader):
         return Chain(tuple(sides), "\\Leftrightarrow", span=self.since(start))
 
     def disjunction(self) -> Node:
-        """disjunction = conjunction {"or" conjunction}; conjunction = relation {"and" relation}."""
+        """disjunction = conjunction {"or" conjunction}."""
         start = self.start
         parts = [self.conjunction()]
         while self.consume("\\lor") or self.consume_text("or"):
@@ -197,20 +197,12 @@ class Reader(AtomReader):
                 kind = Cross if self.take().text == "\\times" else Dot
                 right = self.value(self.power(), start)
                 factors = [kind(self.joined(factors, start), right, span=self.since(start))]
-            elif self.consume("*"):
-                factors.append(self.power())
-            elif self.at_atom():
-                self.adjacent(factors[-1])
+            elif self.consume("*") or self.at_atom():
                 factors.append(self.power())
             else:
                 break
         self.unit()
         return self.joined(factors, start)
-
-    def adjacent(self, left: Node) -> None:
-        """Refuse a number behind another one, which is no product that anyone prints."""
-        if isinstance(left, Number) and self.peek().kind == "number":
-            self.expected("a sign between two numbers", "write `\\cdot` between them")
 
     def joined(self, factors: list[Node], start: int) -> Node:
         """The product of what has been read since `start`."""

@@ -8,6 +8,7 @@ transposition, only the paper's list of symbols can say.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from typing import NoReturn
@@ -16,6 +17,8 @@ from omniproof.transcription.tokens import OPENING, LatexError, Token, tokenize
 from omniproof.transcription.tree import Span
 
 END = Token("end of formula", "", (0, 0))
+_WORD = re.compile("[A-Za-z]{2,}")
+_WHOLE = re.compile("[-+]?[0-9]+")
 TRANSPOSE = frozenset({"T", "t", "\\top"})
 
 
@@ -97,8 +100,8 @@ class SymbolReader(Cursor):
     def __init__(self, source: str, declared: Collection[str] | None = ()) -> None:
         super().__init__(source)
         self.declared = declared
-        names = sorted(declared or (), key=len, reverse=True)
-        self.words = [name for name in names if len(name) > 1 and name.isalpha()]
+        words = {match[0] for name in declared or () if (match := _WORD.match(name))}
+        self.words = sorted(words, key=len, reverse=True)
 
     def knows(self, name: str) -> bool:
         """Whether a name is declared; without a list of symbols (`None`) every name is."""
@@ -108,9 +111,9 @@ class SymbolReader(Cursor):
         """Whether a symbol starts here."""
         return self.peek().kind in {"symbol", "accent", "font"}
 
-    def symbol(self) -> str:
-        r"""symbol = (letter | greek | font base | accent base) {"'"} ["_" script] ["^" script]."""
-        name = self.base() + self.primes()
+    def symbol(self, word: bool = False) -> str:
+        r"""symbol = base {"'"} ["_" script] ["^" script]; `word`: letters may run together."""
+        name = self.base(word) + self.primes()
         if self.consume("_"):
             subscript = "_" + self.script()
             name += self.primes() + subscript
@@ -118,35 +121,39 @@ class SymbolReader(Cursor):
                 self.expected("one subscript", "write both in one pair of braces")
         return name + self.superscript(name)
 
-    def base(self) -> str:
+    def base(self, word: bool = False) -> str:
         r"""base = letter | greek | declared word | font "{" symbol "}" | accent "{" symbol "}"."""
         token = self.take()
         if token.kind == "font":
-            return self.content()
+            return self.content(token, word)
         if token.kind == "accent":
-            return f"{token.text}{{{self.content()}}}"
+            return f"{token.text}{{{self.content(token, word=True)}}}"
         if token.kind != "symbol":
             self.place -= 1
             self.expected("a symbol")
-        for word in self.words:
-            if self.source.startswith(word, token.span[0]):
-                while self.peek().kind == "symbol" and self.start < token.span[0] + len(word):
+        for known in self.words:
+            if self.source.startswith(known, token.span[0]):
+                while self.peek().kind == "symbol" and self.start < token.span[0] + len(known):
                     self.place += 1
-                return word
+                return known
         return token.text
 
-    def content(self) -> str:
-        """content = "{" (symbol | word) "}" | base."""
+    def content(self, outer: Token, word: bool) -> str:
+        """content = "{" (symbol | word) "}" | base; a word in a font has to be declared."""
         if not self.at("{"):
-            return self.base()
+            return self.base(word)
         with self.enclosed():
             letters = ""
             while len(self.peek().text) == 1 and self.peek().kind == "symbol":
                 letters += self.take().text
             if len(letters) > 1 and self.at("}"):
+                if not word and self.declared is not None and letters not in self.words:
+                    message = f"`{letters}` may be one symbol or a product"
+                    cure = f"declare `{letters}`, or give each letter its own `{outer.text}`"
+                    self.refuse(message, outer.span[0], cure)
                 return letters
             self.place -= len(letters)
-            return self.symbol()
+            return self.symbol(word)
 
     def primes(self) -> str:
         r"""primes = {"'" | "^" "\prime" | "^" "{" "\prime" "}"}."""
@@ -208,10 +215,10 @@ class SymbolReader(Cursor):
             return ""
         self.place += 1
         script = self.script()
-        digits = script.strip("{}").lstrip("-+")
-        if not digits.isdigit() and self.knows(f"{name}^{script}"):
+        whole = _WHOLE.fullmatch(script.strip("{}"))
+        if not whole and self.knows(f"{name}^{script}"):
             return f"^{script}"
-        if not digits.isdigit() and script not in TRANSPOSE:
+        if not whole and script not in TRANSPOSE:
             cure = f"declare the symbol `{name}^{script}`, or write a whole number as the power"
             message = f"`^{script}` is neither a whole power nor part of a declared symbol"
             self.refuse(message, start, cure)

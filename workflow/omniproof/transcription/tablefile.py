@@ -52,7 +52,7 @@ def load_table(folder: Path, table: Table) -> tuple[Cell, ...]:
     name = display_name(folder / table.file)
     rows = _rows(name, read_text(folder / table.file))
     faults = [
-        Fault(name, row.line, row.column(place), str(table.id), message, cure)
+        Fault(name, row.line, row.column(place), _name(table, rows[0], row, place), message, cure)
         for row, place, message, cure in _check(rows)
     ]
     if faults:
@@ -91,6 +91,13 @@ def _claim(table: Table, column: str, row: _Row, place: int, line: int) -> Claim
     )
 
 
+def _name(table: Table, header: _Row, row: _Row, place: int) -> str:
+    """The id of a cell, where a fault is in one; else of the table."""
+    if row is header or not 0 < place < len(header.cells):
+        return str(table.id)
+    return f"{table.id}[{row.cells[0]},{header.cells[place]}]"
+
+
 def _rows(name: str, text: str) -> list[_Row]:
     reader = csv.reader(StringIO(text, newline=""), strict=True)
     rows: list[_Row] = []
@@ -120,7 +127,8 @@ def _check(rows: list[_Row]) -> Iterator[tuple[_Row, int, str, str]]:
         for place, cell in enumerate(row.cells):
             if place and not (DECIMAL.fullmatch(cell) and len(cell) <= MAX_CELL):
                 message = f"expected a decimal such as 4.00, found {shorten(cell)}"
-                yield row, place, message if cell else "expected a decimal, found nothing", ""
+                cure = "write the digits that the paper prints, zeros included"
+                yield row, place, message if cell else "expected a decimal, found nothing", cure
 
 
 def _check_names(

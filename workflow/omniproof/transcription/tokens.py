@@ -136,7 +136,7 @@ RULES = (
 )
 """The token rules, first match first."""
 
-_SCANNER = re.compile("|".join(f"(?P<{kind}>{rule})" for kind, rule in RULES), re.DOTALL)
+_SCANNER = re.compile("|".join(f"(?P<{kind}>{rule})" for kind, rule in RULES), re.DOTALL | re.ASCII)
 _LABEL = re.compile(
     r"\\q?quad\s*\(\s*(?:[A-Z]|\\text\s*\{[A-Z]\})?[\s,.]{0,2}\d+(?:-\d+)?\s*\)\s*[.,]?\s*$"
 )
