@@ -20,7 +20,9 @@ from omniproof.report.fragments.base import (
 from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math, same
 from omniproof.transcription.model import Kind, Reading, Source
 
-FOLDED = frozenset({Verdict.VERIFIED, Verdict.UNCHECKABLE})
+FOLDED = frozenset(
+    {Verdict.VERIFIED, Verdict.UNCHECKABLE, Verdict.INCONSISTENT, Verdict.EDITORIAL}
+)
 
 ENGINES: Mapping[str, str] = {
     "flint": "FLINT",
@@ -126,15 +128,18 @@ def row_html(row: Row, href: Href, *, addressed: bool = True) -> str:
         f'<span class="printed">{cell(row.printed)}</span>'
     )
     note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
-    body = note + facts_html(row, href)
-    if row.verdict in FOLDED:
+    facts = facts_html(row, href)
+    if row.verdict not in FOLDED:
         return (
-            f'<details class="claim v-{row.verdict}"{address}>'
-            f"<summary>{head}</summary>{body}</details>"
+            f'<article class="claim v-{row.verdict}"{address}>'
+            f'<div class="claim-head">{head}</div>{note}{facts}</article>'
         )
+    if row.verdict.is_fault:
+        head += f'<span class="remark">{note_html(row.note, href)}</span>'
+        note = ""
     return (
-        f'<article class="claim v-{row.verdict}"{address}>'
-        f'<div class="claim-head">{head}</div>{body}</article>'
+        f'<details class="claim v-{row.verdict}"{address}>'
+        f"<summary>{head}</summary>{note}{facts}</details>"
     )
 
 
