@@ -32,6 +32,10 @@ def product(factor, values):
     return sp.Mul(*(factor(k) for k in values), evaluate=False)
 
 
+def fourth_root_square():
+    return 2 + 2 * sqrt(2) * a ** Rational(1, 4) + sqrt(a)
+
+
 GAUSS_17 = (
     -1
     + sqrt(17)
@@ -183,6 +187,32 @@ TRUE = (
         Abs(sin(x / 2) + cos(x / 2)),
     ),
     Row("phase", "one sinusoid", Abs(sqrt(3) * cos(x) + sin(x)), 2 * Abs(sin(x + pi / 3))),
+    Row("denested", "Euler, Algebra I.2.8, with a symbol", sqrt(a + 1 + 2 * sqrt(a)), 1 + sqrt(a)),
+    Row(
+        "denested-two",
+        "Euler, Algebra I.2.8, with two",
+        sqrt(a + b + 2 * sqrt(a * b)),
+        sqrt(a) + sqrt(b),
+    ),
+    Row(
+        "fourth-root",
+        "binomial formula",
+        (sqrt(2) + a ** Rational(1, 4)) ** 2,
+        fourth_root_square(),
+    ),
+    Row("abs-of-abs", "definition", Abs(Abs(sin(x)) * sin(y)), Abs(sin(x) * sin(y))),
+    Row(
+        "abs-of-number-field",
+        "definition",
+        Abs((x + sqrt(2)) * (y + sqrt(3))),
+        Abs(x + sqrt(2)) * Abs(y + sqrt(3)),
+    ),
+    Row(
+        "triangle-root",
+        "law of cosines, right angle",
+        sqrt(a**2 + b**2 - 2 * a * b * cos(pi / 2 + x)),
+        sqrt((a + b) ** 2 - 2 * a * b * (1 - sin(x))),
+    ),
     Row("abs-square", "definition", sqrt(x**2), Abs(x)),
     Row("abs-product", "definition", Abs(x) * Abs(y), Abs(x * y)),
     Row("product-of-roots", "both roots real", sqrt(x) * sqrt(y), sqrt(x * y)),

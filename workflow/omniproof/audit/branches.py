@@ -96,9 +96,7 @@ def _candidates(expression: sp.Expr) -> Iterator[sp.Expr]:
 def _is_strict(form: NormalForm, parts: Sequence[_Part]) -> bool:
     """Whether the formula is undefined where a part is zero: a factor of it is in a denominator."""
     denominator = form.fraction.denominator
-    ring = form.converter.ring
     for name in frozenset().union(*(part.places for part in parts)):
-        factor = form.basis.factors[int(name[1:])].project_to_context(ring.context)
-        if denominator.gcd(factor) != 1:
+        if denominator.gcd(form.basis.factors[int(name[1:])]) != 1:
             return True
     return False

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import sympy as sp
+from flint import ctx
 
 from omniproof.audit.angles import TRIGONOMETRIC, CircleChart
 from omniproof.audit.balls import Ball, UnsupportedError, evaluate, sign_of
@@ -60,10 +61,17 @@ class Converter:
         return Fraction(generator, square.denominator)
 
     def constants(self, radicands: Mapping[str, Polynomial] | None = None) -> Constants:
-        """Return the numbers of this ring, with further constant roots above the survey's own."""
+        """Return the numbers of this ring, with further constant roots, the innermost first."""
         more = dict(radicands or {})
-        names = [*more, *reversed(self.roots)]
-        return Constants(self.ring, names, lambda: self._constant_balls(more))
+        roots = [*reversed(more), *reversed(self.roots)]
+        names = self.constant_names.union(more)
+        return Constants(self.ring, names, roots, lambda: self._constant_balls(more))
+
+    @property
+    def constant_names(self) -> frozenset[str]:
+        """Names of the generators that are numbers: pi stands for itself, as a free one."""
+        numbers = (name for node, name in self.symbols.items() if not node.free_symbols)
+        return frozenset((*self.roots, *self.field.names, *numbers))
 
     def convert(self, node: sp.Expr) -> Fraction:
         """Return the fraction that an expression is."""
@@ -135,7 +143,10 @@ class Converter:
     def _constant_balls(self, more: Mapping[str, Polynomial]) -> dict[str, Ball]:
         """Enclose all constant generators; a root w of n/d, times d, is d sqrt(n/d)."""
         balls: dict[str, Ball] = self.field.balls()
-        known = Constants(self.ring, (), lambda: balls)
+        for node, name in self.symbols.items():
+            if not node.free_symbols:
+                balls[name] = evaluate(node, precision=ctx.prec)
+        known = Constants(self.ring, frozenset(), (), lambda: balls)
         for name in self.roots:
             square = self.squares[name]
             below = known.enclose(square.denominator, balls)

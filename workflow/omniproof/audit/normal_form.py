@@ -19,9 +19,10 @@ from omniproof.audit.angles import CircleChart, TangentChart
 from omniproof.audit.balls import UnsupportedError, WorkLimitError
 from omniproof.audit.conversion import Converter
 from omniproof.audit.quotient_ring import Fraction, Polynomial
-from omniproof.audit.radicals import Basis, Extension, Factored, primes_under_roots
+from omniproof.audit.radicals import Basis
 from omniproof.audit.separation import Constants
-from omniproof.audit.survey import Survey, argument_of, survey
+from omniproof.audit.survey import survey
+from omniproof.audit.tower import build, constants_of
 
 MOST_SIGNS = 10
 
@@ -41,7 +42,7 @@ class NormalForm:
     @property
     def is_zero(self) -> bool:
         """Whether the formula vanishes identically, whatever the signs are."""
-        return self._vanishes(self.fraction.numerator)
+        return self.constants.vanishes(self.fraction.numerator)
 
     @property
     def has_signs(self) -> bool:
@@ -63,10 +64,10 @@ class NormalForm:
             raise WorkLimitError(f"the truth depends on more than {MOST_SIGNS} signs")
         for values in product((1, -1), repeat=len(names)):
             signs = dict(zip(names, values, strict=True))
-            if self._admissible(signs) and not self._vanishes(
+            if self._admissible(signs) and not self.constants.vanishes(
                 self._at(self.fraction.denominator, signs)
             ):
-                yield signs, self._vanishes(self._at(self.fraction.numerator, signs))
+                yield signs, self.constants.vanishes(self._at(self.fraction.numerator, signs))
 
     def sign_pattern(self, expression: sp.Expr) -> tuple[int, frozenset[str]] | None:
         """Return the sign of a formula as a constant times a product of open signs.
@@ -75,9 +76,8 @@ class NormalForm:
         """
         known = len(self.basis.factors)
         try:
-            base = Converter(self.converter.found, type(self.converter.chart))
-            value = base.convert(expression)
-        except (UnsupportedError, KeyError):
+            value = self.converter.convert(expression)
+        except (UnsupportedError, KeyError):  # it has parts that the whole formula has not
             return None
         if value.numerator == 0:
             return None
@@ -100,18 +100,6 @@ class NormalForm:
     def _at(polynomial: Polynomial, signs: Signs) -> Polynomial:
         return polynomial.subs(dict(signs))
 
-    def _vanishes(self, polynomial: Polynomial) -> bool:
-        """Whether a reduced polynomial is zero: each coefficient is a constant, maybe nested."""
-        if polynomial == 0:
-            return True
-        if not self.constants.roots:
-            return False
-        ring = self.converter.ring
-        return all(
-            self.constants.is_zero(ring.context.from_dict(coefficient))
-            for coefficient in _coefficients(polynomial, _constant_places(self)).values()
-        )
-
 
 def normal_form(expression: sp.Expr) -> NormalForm:
     """Bring a formula into normal form.
@@ -120,120 +108,7 @@ def normal_form(expression: sp.Expr) -> NormalForm:
     it grows too large.
     """
     found = survey([expression])
-    chart = TangentChart if found.trigonometric_radicals else CircleChart
-    base = Converter(found, chart)
-    basis = Basis(lambda factor: _definite_sign(base, factor))
-    simple = [node for node in found.radicals if node not in found.nested]
-    factored = {node: _factor(base, basis, node) for node in simple}
-    basis.settle()
-    if any(not part.places and part.sign < 0 for part in basis.requirements):
-        raise UnsupportedError("the root of a negative quantity is not real")
-    converter = _extend(found, chart, basis, factored)
+    converter, basis = build(found, TangentChart if found.trigonometric_radicals else CircleChart)
     fraction = converter.convert(expression)
     reduced = Fraction(*(converter.ring.reduce(part) for part in fraction))
-    return NormalForm(converter, basis, _constants(base, converter, basis), reduced)
-
-
-def _factor(base: Converter, basis: Basis, node: sp.Expr) -> Factored | None:
-    value = base.convert(argument_of(node))
-    numerator, denominator = (base.ring.reduce(part) for part in value)
-    if numerator == 0:
-        return None
-    factored = basis.factor(Fraction(numerator, denominator))
-    if node.is_Pow:
-        basis.require_positive(factored)
-    return factored
-
-
-def _extend(
-    found: Survey,
-    chart: type[CircleChart],
-    basis: Basis,
-    factored: Mapping[sp.Expr, Factored | None],
-) -> Converter:
-    """Build the ring with roots and signs, and give every radical its value there."""
-    primes = frozenset[int]().union(*(primes_under_roots(f) for f in factored.values() if f))
-    outer = [f"n{place}" for place in range(len(found.nested))]
-    names = [*reversed(outer), *basis.names()]
-    converter = Converter(found, chart, extra=names, primes=primes)
-    extension = Extension(converter.ring, basis, converter.field.root)
-    for node in found.radicals:
-        if node in found.nested:
-            inner = converter.convert(argument_of(node))
-            square = inner if node.is_Pow else converter.ring.multiply(inner, inner)
-            root = converter.adjoin(outer.pop(0), square)
-            converter.radicals[node] = _finish(converter, node, root, inner)
-        else:
-            converter.radicals[node] = _value(converter, extension, node, factored[node])
-    return converter
-
-
-def _value(
-    converter: Converter, extension: Extension, node: sp.Expr, factored: Factored | None
-) -> Fraction:
-    ring = converter.ring
-    if factored is None:
-        return ring.power(ring.whole(ring.zero), int(node.exp.p) if node.is_Pow else 1)
-    if node.is_Pow:
-        return ring.power(extension.root(factored), int(node.exp.p))
-    if isinstance(node, sp.sign):
-        return extension.sign(factored)
-    return extension.absolute(factored)
-
-
-def _finish(converter: Converter, node: sp.Expr, root: Fraction, inner: Fraction) -> Fraction:
-    """Turn the root of a nested radicand (or of a square) into the printed function."""
-    ring = converter.ring
-    if node.is_Pow:
-        return ring.power(root, int(node.exp.p))
-    if isinstance(node, sp.sign):
-        return ring.multiply(inner, ring.invert(root))
-    return root
-
-
-def _constants(base: Converter, converter: Converter, basis: Basis) -> Constants:
-    """Collect the constant roots of a ring, those among the factors first."""
-    radicands = {}
-    for place, factor in enumerate(basis.factors):
-        if not _variables(base, factor):
-            sign = basis.signs[place] or 1
-            radicands[f"p{place}"] = (sign * factor).project_to_context(converter.ring.context)
-    return converter.constants(radicands)
-
-
-def _constant_places(form: NormalForm) -> frozenset[int]:
-    names = {*form.constants.roots, *form.converter.field.names}
-    return frozenset(form.converter.ring.place[name] for name in names)
-
-
-def _variables(base: Converter, polynomial: Polynomial) -> list[str]:
-    """Name the generators in a polynomial that are not constants."""
-    constants = {*base.roots, *base.field.names}
-    degrees = dict(zip(base.ring.place, polynomial.degrees(), strict=True))
-    return [name for name, degree in degrees.items() if degree and name not in constants]
-
-
-def _coefficients(
-    polynomial: Polynomial, constant: frozenset[int]
-) -> dict[tuple[int, ...], dict[tuple[int, ...], object]]:
-    """Split a polynomial by the monomials in its variables; the coefficients are constants."""
-    parts: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        outer = tuple(0 if place in constant else e for place, e in enumerate(exponents))
-        inner = tuple(e if place in constant else 0 for place, e in enumerate(exponents))
-        parts.setdefault(outer, {})[inner] = coefficient
-    return parts
-
-
-def _definite_sign(base: Converter, factor: Polynomial) -> int | None:
-    """Return the sign of a factor where it is plain: squares and positive symbols, one sign."""
-    constants = base.constants()
-    positive = {name for node, name in base.symbols.items() if node.is_nonnegative}
-    names = list(base.ring.place)
-    places = frozenset(base.ring.place[name] for name in (*base.roots, *base.field.names))
-    signs = set()
-    for monomial, coefficient in _coefficients(factor, places).items():
-        if any(e % 2 and names[place] not in positive for place, e in enumerate(monomial)):
-            return None
-        signs.add(constants.sign(base.ring.context.from_dict(coefficient)))
-    return signs.pop() if len(signs) == 1 else None
+    return NormalForm(converter, basis, constants_of(converter, basis), reduced)

@@ -56,6 +56,18 @@ class QuotientRing:
         self.relations.append(Relation(place, polynomial.degrees()[place], polynomial))
         self.relations.sort(key=lambda relation: relation.place)
 
+    def adopt(self, polynomial: Polynomial) -> Polynomial:
+        """Return a polynomial of another ring in the generators of the same names here."""
+        names = polynomial.context().names()
+        terms = {}
+        for exponents, coefficient in polynomial.to_dict().items():
+            monomial = [0] * len(self.place)
+            for name, exponent in zip(names, exponents, strict=True):
+                if exponent:
+                    monomial[self.place[name]] = exponent
+            terms[tuple(monomial)] = coefficient
+        return self.context.from_dict(terms)
+
     def reduce(self, polynomial: Polynomial) -> Polynomial:
         """Return the normal form of a polynomial."""
         for relation in self.relations:

@@ -6,33 +6,43 @@ square-free, these roots are independent: for fixed signs the ring is a field, a
 exactly if its normal form is. Dependent radicals, sqrt(1 - c) sqrt(1 + c) = |s|, the conjugates of
 which would have to be multiplied out otherwise, never arise. A root of a product needs the product
 to be positive; that is a *requirement* on the signs, and outside of it there is nothing to prove.
+
+Nested radicals go level by level: an argument that contains roots is factored in the ring of the
+level below. Its factors may depend on the roots there, so a form that is not zero proves nothing
+then; one that is zero always does.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy as sp
+from flint import fmpq
 
+from omniproof.audit.balls import UnsupportedError, WorkLimitError
 from omniproof.audit.constant_field import square_free_part
 from omniproof.audit.quotient_ring import Fraction, Polynomial, QuotientRing
+
+MOST_FACTORS = 24
 
 SignOf = Callable[[Polynomial], int | None]
 
 
 @dataclass(frozen=True)
 class Factored:
-    """A rational unit times powers of the factors of a basis (by place)."""
+    """A rational unit times powers of the factors of a basis (by place), times signs e_j."""
 
     unit: Any
     exponents: Mapping[int, int]
+    flips: frozenset[int] = frozenset()
 
     @property
-    def odd(self) -> frozenset[int]:
-        """Places of the factors with odd exponents."""
-        return frozenset(place for place, exponent in self.exponents.items() if exponent % 2)
+    def signed(self) -> frozenset[int]:
+        """Places of the factors whose signs make up the sign of the product."""
+        odd = frozenset(place for place, exponent in self.exponents.items() if exponent % 2)
+        return odd ^ self.flips
 
 
 @dataclass(frozen=True)
@@ -45,52 +55,110 @@ class Requirement:
 
 @dataclass
 class Basis:
-    """Coprime irreducible factors, with the sign of each where it is known."""
+    """Coprime irreducible factors in one ring, with the sign of each where it is known.
 
-    sign_of: SignOf
+    `ring` has generators p_j and e_j for the factors of the levels below: the arguments of nested
+    radicals contain them.
+    """
+
+    ring: QuotientRing
+    sign_of: SignOf = lambda _: None
     factors: list[Polynomial] = field(default_factory=list)
     signs: list[int | None] = field(default_factory=list)
     requirements: list[Requirement] = field(default_factory=list)
 
     def factor(self, fraction: Fraction) -> Factored:
         """Write a fraction in factors, and add those that are new."""
-        numerator, denominator = fraction
-        unit, above = numerator.factor()
-        divisor, below = denominator.factor()
         exponents: dict[int, int] = {}
+        flips: frozenset[int] = frozenset()
+        unit, above = self._in_roots(fraction.numerator).factor()
+        divisor, below = self._in_roots(fraction.denominator).factor()
         for direction, factors in ((1, above), (-1, below)):
             for polynomial, exponent in factors:
+                sign = self._place_of_sign(polynomial)
+                if sign is not None:
+                    flips ^= frozenset({sign} if exponent % 2 else ())
+                    continue
                 place = self._place(polynomial)
                 exponents[place] = exponents.get(place, 0) + direction * int(exponent)
         kept = {place: exponent for place, exponent in exponents.items() if exponent}
-        return Factored(unit / divisor, kept)
+        return Factored(unit / divisor, kept, flips)
+
+    def factor_product(self, parts: Iterable[tuple[Fraction, int]]) -> Factored:
+        """Factor powers of fractions one by one: over a number field, products hide factors."""
+        unit, flips = fmpq(1), frozenset[int]()
+        exponents: dict[int, int] = {}
+        for fraction, power in parts:
+            factored = self.factor(fraction)
+            unit *= factored.unit**power
+            flips ^= factored.flips if power % 2 else frozenset()
+            for place, exponent in factored.exponents.items():
+                exponents[place] = exponents.get(place, 0) + power * exponent
+        kept = {place: exponent for place, exponent in exponents.items() if exponent}
+        return Factored(unit, kept, flips)
 
     def require_positive(self, factored: Factored) -> None:
         """Note that a root of this is printed."""
-        sign, places = self.sign(factored)
-        self.requirements.append(Requirement(sign, places))
+        self.requirements.append(Requirement(*self.sign(factored)))
 
     def sign(self, factored: Factored) -> tuple[int, frozenset[int]]:
         """Return the sign of a product: the known part, and the places of unknown signs."""
         sign = 1 if factored.unit > 0 else -1
-        for place in factored.odd:
-            sign *= self.signs[place] or 1
-        return sign, frozenset(place for place in factored.odd if self.signs[place] is None)
+        return self._known_part(sign, factored.signed)
 
     def settle(self) -> None:
-        """Fix the signs that the requirements leave no choice for."""
+        """Fix the signs that the requirements leave no choice for.
+
+        Raises `UnsupportedError` when they contradict each other.
+        """
         changed = True
         while changed:
+            parts = [self._known_part(r.sign, r.places) for r in self.requirements]
+            self.requirements = [Requirement(*part) for part in parts]
             changed = False
-            for place, requirement in enumerate(self.requirements):
-                sign, unknown = requirement.sign, set(requirement.places)
-                for known in [p for p in unknown if self.signs[p] is not None]:
-                    sign *= self.signs[known] or 1
-                    unknown.discard(known)
-                self.requirements[place] = Requirement(sign, frozenset(unknown))
-                if len(unknown) == 1:
-                    self.signs[unknown.pop()] = sign
+            for requirement in self.requirements:
+                if len(requirement.places) == 1 and not changed:
+                    (place,) = requirement.places
+                    self.signs[place] = requirement.sign
                     changed = True
+        if any(not part.places and part.sign < 0 for part in self.requirements):
+            raise UnsupportedError("the root of a negative quantity is not real")
+
+    def move(self, ring: QuotientRing) -> None:
+        """Take the factors over to a ring with more generators."""
+        known = {f"e{place}": sign for place, sign in enumerate(self.signs) if sign is not None}
+        used = {name: sign for name, sign in known.items() if name in self.ring.place}
+        self.factors = [ring.adopt(factor.subs(used)) for factor in self.factors]
+        self.ring = ring
+
+    def names(self) -> list[str]:
+        """Name the generators: roots p_j of all factors, signs e_j of those that are open."""
+        if len(self.factors) > MOST_FACTORS:
+            raise WorkLimitError(f"radicals of more than {MOST_FACTORS} different factors")
+        roots = [f"p{place}" for place in reversed(range(len(self.factors)))]
+        return roots + [f"e{place}" for place, sign in enumerate(self.signs) if sign is None]
+
+    def _known_part(self, sign: int, places: frozenset[int]) -> tuple[int, frozenset[int]]:
+        for place in places:
+            sign *= self.signs[place] or 1
+        return sign, frozenset(place for place in places if self.signs[place] is None)
+
+    def _in_roots(self, polynomial: Polynomial) -> Polynomial:
+        """Write x as e p^2 beside a root p of it, so that squares like (1 + p)^2 show."""
+        generators = list(self.ring.generators.values())
+        degrees = polynomial.degrees()
+        for place, factor in enumerate(self.factors):
+            name, sign = f"p{place}", self.signs[place]
+            has_root = name in self.ring.place and degrees[self.ring.place[name]]
+            if has_root and sign and factor in generators:
+                generators[generators.index(factor)] = sign * self.ring.generators[name] ** 2
+        return polynomial.compose(*generators)
+
+    def _place_of_sign(self, polynomial: Polynomial) -> int | None:
+        for place in range(len(self.factors)):
+            if polynomial == self.ring.generators.get(f"e{place}"):
+                return place
+        return None
 
     def _place(self, polynomial: Polynomial) -> int:
         if polynomial not in self.factors:
@@ -98,22 +166,18 @@ class Basis:
             self.signs.append(self.sign_of(polynomial))
         return self.factors.index(polynomial)
 
-    def names(self) -> list[str]:
-        """Name the generators: roots p_j of all factors, signs e_j of those that are open."""
-        roots = [f"p{place}" for place in range(len(self.factors))]
-        return roots + [f"e{place}" for place, sign in enumerate(self.signs) if sign is None]
-
 
 class Extension:
-    """The roots and signs of a basis as elements of a ring that has their generators."""
+    """The roots and signs of a basis as elements of its ring, which has generators for them."""
 
-    def __init__(self, ring: QuotientRing, basis: Basis, root: Callable[[Any], Fraction]) -> None:
-        self.ring, self.basis, self.rational_root = ring, basis, root
-        self.factors = [factor.project_to_context(ring.context) for factor in basis.factors]
+    def __init__(self, basis: Basis, root: Callable[[Any], Fraction]) -> None:
+        self.ring, self.basis, self.rational_root = basis.ring, basis, root
+        self.factors = basis.factors
         self.signs = [self._sign(place) for place in range(len(self.factors))]
         for place, factor in enumerate(self.factors):
-            generator = ring.generators[f"p{place}"]
-            ring.relate(f"p{place}", generator**2 - ring.reduce(self.signs[place] * factor))
+            generator = self.ring.generators[f"p{place}"]
+            square = self.ring.times(self.signs[place], factor)
+            self.ring.relate(f"p{place}", generator**2 - square)
 
     def _sign(self, place: int) -> Polynomial:
         known = self.basis.signs[place]
@@ -143,7 +207,7 @@ class Extension:
     def sign(self, factored: Factored) -> Fraction:
         """Return the sign of a product of factors."""
         result = self.ring.context.constant(1 if factored.unit > 0 else -1)
-        for place in factored.odd:
+        for place in factored.signed:
             result = self.ring.times(result, self.signs[place])
         return self.ring.whole(result)
 

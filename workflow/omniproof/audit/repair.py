@@ -40,6 +40,7 @@ class Edit(IntEnum):
     CONSTANT = 6
     FACTOR = 7  # a small constant that is missing
     SYMBOL = 8
+    WHOLE = 9  # a symbol that is missing before everything
 
 
 @dataclass(frozen=True, order=True)
@@ -95,6 +96,9 @@ class _Editor:
             yield from self.rename(first, last)
         for place in range(len(self.tokens)):
             yield from self.insert(place)
+        for word, _ in self.words:
+            whole = (0, len(self.text))
+            yield self.edit(Edit.WHOLE, whole, f"{word} ({self.text})", f"multiply by {word}")
 
     def flip(self, place: int, token: Token) -> Iterator[Repair]:
         """Turn a sign between terms over; drop a leading one."""

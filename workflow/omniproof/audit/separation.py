@@ -24,14 +24,31 @@ MOST_ROOTS = 7
 
 @dataclass(frozen=True)
 class Constants:
-    """The numbers of a ring: its roots (the outermost first) and enclosures of all constants.
+    """The numbers of a ring: names of all constant generators, and the roots among them.
 
-    `balls` encloses the constant generators by name, at the current precision.
+    The outermost root comes first. `balls` encloses the generators, at the current precision.
     """
 
     ring: QuotientRing
+    names: frozenset[str]
     roots: Sequence[str]
     balls: Callable[[], Mapping[str, Ball]]
+
+    def coefficients(self, polynomial: Polynomial) -> dict[tuple[int, ...], Polynomial]:
+        """Split a polynomial by the monomials in its variables; the coefficients are constants."""
+        places = frozenset(self.ring.place[name] for name in self.names)
+        parts: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
+        for exponents, coefficient in polynomial.to_dict().items():
+            outer = tuple(0 if place in places else e for place, e in enumerate(exponents))
+            inner = tuple(e if place in places else 0 for place, e in enumerate(exponents))
+            parts.setdefault(outer, {})[inner] = coefficient
+        return {outer: self.ring.context.from_dict(part) for outer, part in parts.items()}
+
+    def vanishes(self, polynomial: Polynomial) -> bool:
+        """Decide whether a reduced polynomial is zero; its coefficients may be nested roots."""
+        if polynomial == 0 or not self.roots:
+            return bool(polynomial == 0)
+        return all(self.is_zero(part) for part in self.coefficients(polynomial).values())
 
     def enclose(self, polynomial: Polynomial, balls: Mapping[str, Ball]) -> Ball:
         """Enclose a polynomial in the constant generators."""

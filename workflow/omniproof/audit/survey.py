@@ -33,8 +33,7 @@ class Survey:
     primes: set[int] = field(default_factory=set)
     symbols: dict[sp.Expr, None] = field(default_factory=dict)
     constant_roots: dict[sp.Expr, None] = field(default_factory=dict)
-    radicals: dict[sp.Expr, None] = field(default_factory=dict)
-    nested: dict[sp.Expr, None] = field(default_factory=dict)
+    radicals: dict[sp.Expr, frozenset[sp.Expr]] = field(default_factory=dict)  # with inner ones
     trigonometric_radicals: bool = False
 
 
@@ -53,13 +52,18 @@ def survey(expressions: Iterable[sp.Expr]) -> Survey:
 
 
 def is_root(node: sp.Expr) -> bool:
-    """Whether a node is a square root, or an odd power of one."""
-    return bool(node.is_Pow and node.exp.is_Rational and node.exp.q == 2)
+    """Whether a node is an odd power of a square root, or of a root of such a root."""
+    if not (node.is_Pow and node.exp.is_Rational):
+        return False
+    order = int(node.exp.q)
+    return order > 1 and order & (order - 1) == 0
 
 
 def argument_of(node: sp.Expr) -> sp.Expr:
-    """Return the radicand of a root, or the argument of an absolute value."""
-    return node.base if node.is_Pow else node.args[0]
+    """Return the radicand of a square root, or the argument of an absolute value."""
+    if node.is_Pow:
+        return sp.Pow(node.base, sp.Rational(2, node.exp.q))
+    return node.args[0]
 
 
 def opaque_core(node: sp.Expr) -> tuple[sp.Expr, int]:
@@ -108,9 +112,8 @@ class _Surveyor:
             if node.is_Pow:
                 self.found.constant_roots[argument] = None
         else:
-            self.found.radicals[node] = None
-            if any(inner in self.found.radicals for inner in sp.preorder_traversal(argument)):
-                self.found.nested[node] = None
+            parts = frozenset(sp.preorder_traversal(argument))
+            self.found.radicals[node] = parts & self.found.radicals.keys()
             self.found.trigonometric_radicals |= argument.has(*TRIGONOMETRIC)
 
     def opaque(self, node: sp.Expr) -> None:
