@@ -12,20 +12,29 @@ from omniproof.transcription.model import Form, Kind
 def attribute(rows: Sequence[Row], context: Context) -> list[Row]:
     """Fill `follows` and `consequence` of all rows of a paper, in order of place."""
     faults = {row.id: row for row in rows if row.verdict.is_fault}
-    first_by_print: dict[str, str] = {}
+    first_places: dict[tuple[str, ...], str] = {}
     finished = []
     for row in rows:
-        follows = _recurrence(row, first_by_print) or _premise(row, context, faults)
+        follows = _recurrence(row, context, first_places) or _premise(row, context, faults)
         fields = {"follows": follows, "consequence": _consequence(row, context)}
         finished.append(row.model_copy(update=fields))
     return finished
 
 
-def _recurrence(row: Row, first_by_print: dict[str, str]) -> str:
+def _recurrence(row: Row, context: Context, first_places: dict[tuple[str, ...], str]) -> str:
     """Return the first place of a misprint that stands here again."""
-    if row.kind is not Kind.IDENTITY or row.verdict is not Verdict.ERRATUM:
-        return ""
-    first = first_by_print.setdefault(row.printed, row.id)
+    claim = context.claims.get(row.id)
+    misprint: tuple[str, ...]
+    match row.kind, row.verdict:
+        case Kind.IDENTITY, Verdict.ERRATUM:
+            misprint = (row.kind, row.printed)
+        case (Kind.CONSISTENCY, Verdict.INCONSISTENT) if claim is not None:
+            misprint = (row.kind, row.printed, *claim.agrees_with)
+        case (Kind.REFERENCE, Verdict.ERRATUM) if claim is not None and claim.target:
+            misprint = (row.kind, claim.target, str(claim.about))
+        case _:
+            return ""
+    first = first_places.setdefault(misprint, row.id)
     return first if first != row.id else ""
 
 

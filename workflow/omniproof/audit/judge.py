@@ -180,7 +180,8 @@ def _judge_reference(claim: Claim, context: Context) -> Row:
     wanted = symbol_name(claim.about) if claim.about else None
     row = start(claim, context).model_copy(update={"engines": "text"})
     if wanted is None or wanted in found:
-        return row.model_copy(update={"verdict": Verdict.VERIFIED})
+        row = row.model_copy(update={"verdict": Verdict.VERIFIED})
+        return row if wanted else with_note(row, "there is such a place")
     places = _defining(wanted, context)
     return with_note(
         row.model_copy(

@@ -20,6 +20,7 @@ from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import isosceles
 from omniproof.papers.omni_arrangement.derivations.evaluation import (
     ARCS,
+    VOLUME_RATIO,
     planar_columns,
     sign_of_product,
     volume_by_arcs,
@@ -149,7 +150,7 @@ def products_with_normal() -> Relation:
     return Relation((base.dot(first), base.dot(second), Integer(0)))
 
 
-@REGISTRY.derives("eq:B.2", rests_on=["eq:11"], meanings=_any_columns)
+@REGISTRY.derives("eq:B.2", rests_on=[VOLUME_RATIO], meanings=_any_columns)
 def height_over_base() -> Expr:
     """Height of the parallelepiped: the length of the projection of a_3 on the normal."""
     return height()
@@ -161,7 +162,7 @@ def volume_by_height() -> Expr:
     return Abs(triple_product())
 
 
-@REGISTRY.derives("eq:B.3#2/volume", rests_on=["eq:11"], meanings=_any_columns)
+@REGISTRY.derives("eq:B.3#2/volume", rests_on=[VOLUME_RATIO], meanings=_any_columns)
 def volume_by_triple_product() -> Expr:
     """Volume of the parallelepiped of three vectors."""
     return volume_by_height()
@@ -246,12 +247,12 @@ def inverse_of_determinant() -> Relation:
     family = Family(1 / platform(isosceles(THETA)).determinant, {THETA: (-pi / 2, pi / 2)})
     return Relation(
         family,
-        correction=r"1/\det \mathbf{A} \text{ is smallest there}",
+        correction=r"1/\det \mathbf{A} \text{ is smallest there, where } \det \mathbf{A} > 0",
         proof=(Obligation(Form.MINIMUM, family, at=((pi / 6,),)),),
     )
 
 
-@REGISTRY.derives("app:C/volume-minimised", rests_on=["eq:11"])
+@REGISTRY.derives("app:C/volume-minimised", rests_on=[VOLUME_RATIO])
 def least_volume() -> Relation:
     """Image volume over all arrangements."""
     return Relation(volume_by_arcs())

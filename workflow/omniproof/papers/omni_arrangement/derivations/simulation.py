@@ -157,7 +157,6 @@ def no_parallel_edges() -> Relation:
 @REGISTRY.derives(
     "sec:4/type-x-smallest-volume",
     "sec:4/type-z-largest-volume",
-    "sec:4#2/minimised-at-type-x",
     rests_on=[TYPE_Z],
 )
 def volumes() -> Relation:
