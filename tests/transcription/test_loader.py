@@ -10,6 +10,7 @@ import pytest
 
 from omniproof.transcription.faults import BadInput
 from omniproof.transcription.loader import load_paper
+from omniproof.transcription.messages import label
 from omniproof.transcription.model import Claim, Form
 from omniproof.transcription.tree import Chain, Name
 
@@ -256,6 +257,17 @@ BAD = [
         f"{FILE}:32:18: claims[sec:2/same].uncheckable: `uncheckable` and `decided_by` "
         "(what would decide it) go together", *ONE],
         id="two keys of which one is missing"),
+    pytest.param("form: minimum, at: '(30^\\circ, 1)'", "form: equal, at: [L]", [
+        f"{FILE}:29:32: claims[sec:2/smallest].asserts.at: `at` belongs to the forms minimum and "
+        "maximum, and only there", *ONE],
+        id="points without a minimum"),
+    pytest.param("    latex: " + FORMULA + "\n", "", [
+        f"{FILE}:20:5: claims[eq:1]: a claim of kind identity needs `latex`", *ONE],
+        id="identity without a formula"),
+    pytest.param("target: eq:1", "asserts: {form: equal}", [
+        f"{FILE}:40:14: claims[xref:sec-2-cites-eq-1].asserts: `asserts` belongs to kind relation",
+        *ONE],
+        id="a reference that asserts"),
     pytest.param("units: {D_V: m^3}", "units: {D_W: m^3}", [
         f"{FILE}:18:18: tables[tab:2].units.D_W: expected a column of table-2.csv (D_A, D_V), "
         "found 'D_W'",
@@ -334,6 +346,20 @@ def test_bad_file(folder: Path, content: bytes, lines: list[str]) -> None:
     assert faults_of(folder) == lines
 
 
+def test_claims_that_are_no_list(folder: Path) -> None:
+    text = GOOD.partition("claims:")[0] + "claims: none\n"
+    (folder / "paper.yaml").write_text(text, encoding="utf-8")
+    assert faults_of(folder) == [f"{FILE}:19:9: claims: expected a list, found 'none'", *ONE]
+
+
+def test_a_folder_elsewhere(
+    folder: Path, tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path_factory.mktemp("elsewhere"))
+    loaded = load_paper(folder)
+    assert loaded.positions["eq:1"].file == (folder / "paper.yaml").as_posix()
+
+
 def test_no_folder(folder: Path) -> None:
     assert faults_of(folder / "nowhere")[0].endswith(
         "nowhere/paper.yaml:1:1: expected a file, found none"
@@ -395,3 +421,15 @@ def test_many_faults_are_counted(folder: Path) -> None:
 def test_loading_needs_no_algebra_system() -> None:
     code = "import omniproof.transcription.loader, sys; sys.exit('sympy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+PATHS = [
+    pytest.param(("claims", 0, "kind"), "claims[eq:1].kind", id="named entry"),
+    pytest.param(("claims", 1, "latex", 2), "claims[2].latex[3]", id="entry without a name"),
+    pytest.param((), "", id="whole file"),
+]
+
+
+@pytest.mark.parametrize(("path", "text"), PATHS)
+def test_paths_name_their_entries(path: tuple[str | int, ...], text: str) -> None:
+    assert label(path, {"claims": [{"id": "eq:1", "kind": "x"}, {"latex": ["a"]}]}) == text

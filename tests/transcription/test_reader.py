@@ -179,6 +179,30 @@ TREES = [
         Chain((Comparison(Product((A, B)), "<", ONE),), "\\Leftrightarrow", continued=True),
         id="equivalent to an earlier display",
     ),
+    pytest.param(
+        "a = b < c",
+        Logic("and", (Chain((A, B)), Comparison(B, "<", C))),
+        id="equation and comparison",
+    ),
+    pytest.param(
+        r"a < b \\ \Leftrightarrow b > a",
+        Chain((Comparison(A, "<", B), Comparison(B, ">", A)), "\\Leftrightarrow"),
+        id="equivalence over two lines",
+    ),
+    pytest.param(
+        r"a < b \\ &= c",
+        Listing((Comparison(A, "<", B), Chain((C,), continued=True))),
+        id="a line that goes on with what is not there",
+    ),
+    pytest.param(r"a \\ = c", Chain((A, C)), id="a side on a line of its own"),
+    pytest.param(r"\text{or } a < b", Logic("or", (Comparison(A, "<", B),)), id="second half"),
+    pytest.param(r"A^{\top}", Transpose(Name("A")), id="another sign for transposition"),
+    pytest.param(r"\det A_1^2", Power(Name("\\det A_1"), 2), id="determinant with an index"),
+    pytest.param(
+        r"\lvert a \rvert \left\|\|b\|c\right\|",
+        Product((Absolute(A), Norm(Product((Norm(B), C))))),
+        id="bars with a direction",
+    ),
     pytest.param(r"a = b \quad (6)", Chain((A, B)), id="the number of a display is read over"),
     pytest.param(r"a = b. \quad (\text{B},3)", Chain((A, B)), id="a number of an appendix"),
     pytest.param(r"a = b, \tag{4-1}", Chain((A, B)), id="a tag"),
@@ -247,6 +271,8 @@ SYMBOLS = [
     pytest.param(r"\overline{\mathbf{OH}}", r"\overline{OH}", id="word under an accent"),
     pytest.param("a'_k", "a'_k", id="prime before the index"),
     pytest.param("a_k^{\\prime}", "a'_k", id="prime as a superscript"),
+    pytest.param(r"a^\prime", "a'", id="prime without braces"),
+    pytest.param(r"a_\mathbf{b}", "a_b", id="font in an index"),
     pytest.param(r"v^{S}", "v^S", id="superscript"),
     pytest.param(r"D_{\text{Vol}}", "D_{Vol}", id="words as index"),
     pytest.param(r"f_{A^{-1}}'", "f'_{A^{-1}}", id="formula as index"),
@@ -363,6 +389,51 @@ REFUSED = [
         "    L = 1,000",
         "          ~~^",
         "    write thousands without a comma"], id="comma of thousands"),
+    pytest.param("a_1_2", [
+        "expected one subscript, found `_`",
+        "    a_1_2",
+        "       ^",
+        "    write both in one pair of braces"], id="two indices"),
+    pytest.param("a_{}", [
+        "an empty script",
+        "    a_{}",
+        "      ~^",
+        "    leave it out"], id="empty index"),
+    pytest.param(r"\sqrt[3]{x}", [
+        "expected a square root, found `[`",
+        r"    \sqrt[3]{x}",
+        "         ^",
+        "    only square roots are read"], id="cube root"),
+    pytest.param(r"\operatorname{lcm}(x)", [
+        "expected a function that is read, found `{`",
+        r"    \operatorname{lcm}(x)",
+        "                 ^",
+        "    write one of arccos, arcsin, arctan, atan2, cos, cot, csc, sec, sin, tan"],
+        id="unknown function"),
+    pytest.param(r"\cot^{-1} x", [
+        "no inverse of `cot` is read",
+        r"    \cot^{-1} x",
+        "    ~~~~~~~~^",
+        "    write it by `\\arctan`"], id="inverse that has no name"),
+    pytest.param(r"\{a, b \mid c < 1\}", [
+        r"expected one element before `\mid`",
+        r"    \{a, b \mid c < 1\}",
+        "    ~~~~~~~~~~~~~~~~~~^",
+        "    put it into brackets"], id="set of two by a condition"),
+    pytest.param(r"\left| a )", [
+        r"expected `\right|`, found `)`",
+        r"    \left| a )",
+        "             ^",
+        "    balance the bars"], id="bars of two kinds"),
+    pytest.param(r"\langle a, b, c \rangle", [
+        "expected two vectors in an inner product",
+        r"    \langle a, b, c \rangle",
+        "    ~~~~~~~~~~~~~~~~~~~~~~^",
+        r"    write `\langle a, b \rangle`"], id="inner product of three"),
+    pytest.param("(a)_{left}", [
+        "expected a component: x, y, z or a number",
+        "    (a)_{left}",
+        "    ~~~~~~~~~^"], id="component of no name"),
     pytest.param("(x)^{0.5}", [
         "expected a whole power",
         "    (x)^{0.5}",
@@ -447,6 +518,17 @@ def test_message(text: str, lines: list[str]) -> None:
         read(text)
     assert str(refused.value).split("\n") == lines
     assert refused.value.source == text
+
+
+def test_power_behind_a_shorthand() -> None:
+    with pytest.raises(LatexError) as refused:
+        read(r"s\phi^2", Notation(functions={"s": "sin"}))
+    assert str(refused.value).split("\n") == [
+        "expected brackets around the argument, found `^`",
+        r"    s\phi^2",
+        "         ^",
+        "    write `s(…)`",
+    ]
 
 
 NOT_SYMBOLS = [

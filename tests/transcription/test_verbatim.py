@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from omniproof.transcription.loader import LoadedPaper
+from omniproof.transcription.model import Reading
 from omniproof.transcription.verbatim import (
     FoldedText,
     missing,
@@ -41,6 +42,7 @@ MISPLACED = [
     pytest.param("eq:2", {"latex": ("p =", "2 L", r"\cos")}, [
         r"paper.yaml:15:10: claims[eq:2].latex[3]: expected this after line 8, found no '\\cos'",
         "    copy the fragments in the order of the source"], id="fragments in another order"),
+    pytest.param("eq:2", {"line": 3, "reading": Reading.GLYPHS}, [], id="glyphs are passed over"),
     pytest.param("sec:2/spelling", {"quote": "all  four"}, [
         "paper.yaml:16:10: claims[sec:2/spelling].quote: expected verbatim text of the source, "
         "found 'all  four'",

@@ -108,9 +108,7 @@ class AtomReader(EnclosedReader, ABC):
             begin = self.start
             argument = Name(self.symbol(), span=self.since(begin))
             if self.at("^"):
-                self.expected(
-                    "brackets around the argument", f"write `{token.text}({token.text}…)`"
-                )
+                self.expected("brackets around the argument", f"write `{token.text}(…)`")
             return Call(self.shorthands[token.text], _pi(argument), span=self.since(start))
         if token.text in self.shorthands and self.peek(1).text == "(":
             self.place += 1
@@ -217,9 +215,8 @@ class AtomReader(EnclosedReader, ABC):
         word = self.word()
         if word not in FUNCTIONS_IN_WORDS:
             self.place += 1
-            self.expected(
-                "a function that is read", f"one of {', '.join(sorted(FUNCTIONS_IN_WORDS))}"
-            )
+            cure = f"write one of {', '.join(sorted(FUNCTIONS_IN_WORDS))}"
+            self.expected("a function that is read", cure)
         self.place += len(word) + 3
         return self.function(word, start)
 
@@ -228,7 +225,7 @@ class AtomReader(EnclosedReader, ABC):
         exponent = self.exponent() if self.consume("^") else 1
         if exponent == -1:
             if name not in INVERSES:
-                self.refuse(f"no inverse of `{name}` is read", start, "write it as 1 / …")
+                self.refuse(f"no inverse of `{name}` is read", start, "write it by `\\arctan`")
             name, exponent = INVERSES[name], 1
         call = Call(name, self.argument(name), span=self.since(start))
         return call if exponent == 1 else Power(call, exponent, span=call.span)

@@ -50,9 +50,8 @@ class EnclosedReader(SymbolReader, ABC):
     def value(self, node: Node, start: int) -> Node:
         """Refuse a statement where a value is needed."""
         if isinstance(node, STATEMENTS):
-            self.refuse(
-                "expected a value, found a statement", start, "state it in a claim of its own"
-            )
+            cure = "state it in a claim of its own"
+            self.refuse("expected a value, found a statement", start, cure)
         return node
 
     def bracket(self, start: int) -> Node:
@@ -115,7 +114,9 @@ class EnclosedReader(SymbolReader, ABC):
         r"""inner = "\langle" sum "," sum "\rangle"."""
         items = self.enclosed_items()
         if len(items) != 2:
-            self.refuse("expected two vectors in an inner product", start, "write ⟨a, b⟩")
+            self.refuse(
+                "expected two vectors in an inner product", start, "write `\\langle a, b \\rangle`"
+            )
         return Inner(*items, span=self.since(start))
 
     def matrix(self) -> Node:

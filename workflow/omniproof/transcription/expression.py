@@ -89,13 +89,14 @@ class _Scope:
 
     def truth(self, node: tree.Node) -> Value:
         """The value of a statement; an equation between its sides becomes a relation."""
+        if not isinstance(node, tree.STATEMENTS):
+            self.refuse(node, f"expected a statement, found {_kind(self.value(node))}")
         value = self.value(node)
-        if isinstance(node, tree.Chain) and node.relation == "=":
-            pairs = pairwise(value)
-            return sympy.And(*(sympy.Eq(left, right) for left, right in pairs))
-        if not isinstance(value, sympy.logic.boolalg.Boolean):
-            self.refuse(node, f"expected a statement, found {_kind(value)}")
-        return value
+        if not isinstance(node, tree.Chain):
+            return value
+        if node.relation == "=":
+            return sympy.And(*(sympy.Eq(left, right) for left, right in pairwise(value)))
+        return sympy.Equivalent(*value)
 
     def refuse(self, node: tree.Node, message: str, cure: str = "") -> NoReturn:
         if self.source:

@@ -88,11 +88,6 @@ def load_document(path: Path) -> Document:
     return Document(name, builder.root, builder.places, builder.keys)
 
 
-def read_yaml(path: Path) -> Tree:
-    """The values of a small YAML file under the same rules; raises `BadInput`."""
-    return load_document(path).values
-
-
 def _syntax_fault(name: str, error: yaml.YAMLError, text: str) -> Fault:
     """A fault of YAML's own syntax, in its words."""
     mark = getattr(error, "problem_mark", None)

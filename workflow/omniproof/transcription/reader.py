@@ -254,15 +254,21 @@ class Reader(AtomReader):
         node = self.value(node, start)
         if self.peek(1).text == "\\circ" or self.peek(2).text == "\\circ":
             self.expected("degrees after a number only", "write `\\theta \\cdot 1^\\circ`")
-        self.place += 1
-        if self.script_ahead() in TRANSPOSE:
-            self.script()
+        if self.transposed():
             return Transpose(node, span=self.since(start))
+        self.place += 1
         return Power(node, self.exponent(), span=self.since(start))
 
-    def script_ahead(self) -> str:
-        """The text of a script of one token."""
-        return self.peek(1 if self.at("{") else 0).text
+    def transposed(self) -> bool:
+        """Step over `^T` or `^{T}`."""
+        ahead = [self.peek(step).text for step in range(4)]
+        if ahead[1] in TRANSPOSE:
+            self.place += 2
+        elif ahead[1] == "{" and ahead[2] in TRANSPOSE and ahead[3] == "}":
+            self.place += 4
+        else:
+            return False
+        return True
 
     def juxtaposed(self, function: str) -> Node:
         r"""juxtaposed = {number | symbol | fraction | root}, as in `\sin 2\theta`."""
