@@ -150,6 +150,12 @@ TREES = [
     pytest.param("&= b = c", Chain((B, C), continued=True), id="continued line"),
     pytest.param(r"a &= b \\ &= c", Chain((A, B, C)), id="chain over two lines"),
     pytest.param(r"a &= b \\ &\quad + c", Chain((A, Sum((B, C)))), id="sum over two lines"),
+    pytest.param(r"a = b \\ + c", Chain((A, Sum((B, C)))), id="a line that starts with plus"),
+    pytest.param(
+        r"a = b \\ -c = x",
+        Listing((Chain((A, B)), Chain((Negative(C), X)))),
+        id="a line that starts with minus",
+    ),
     pytest.param(
         r"\begin{aligned} a &= b, \\ x &= y \end{aligned}",
         Listing((Chain((A, B)), Chain((X, Y)))),

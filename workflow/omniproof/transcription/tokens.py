@@ -160,39 +160,47 @@ def tokenize(source: str) -> tuple[Token, ...]:
 def _scan(source: str) -> Iterator[Token]:
     label = _LABEL.search(source, max(0, len(source) - 60))
     for match in _SCANNER.finditer(source, 0, label.start() if label else len(source)):
-        kind, text = match.lastgroup or "", match.group()
-        if kind in {"word", "sign", "symbol"}:
-            kind, text = _classify(kind, SYNONYMS.get(text, text))
-        if kind in {"open", "close"}:
-            text = "\\|" if "\\|" in text or "V" in text else "|"
-        if kind in {"begin", "end"}:
-            text = text[text.index("{") + 1 : text.index("}")].strip().rstrip("*")
-            kind = "space" if text in FRAMES else kind
-        if kind in {"unknown", "word"} or (kind == "begin" and text not in TABLES):
-            raise _unknown(kind, text, source, match.span())
-        if kind != "space":
-            yield Token(kind, text, match.span())
+        token = _token(match.lastgroup or "", match.group(), match.span())
+        if token.kind in {"unknown", "word"} or (
+            token.kind == "begin" and token.text not in TABLES
+        ):
+            raise _unknown(token, source)
+        if token.kind != "space":
+            yield token
 
 
-def _classify(kind: str, text: str) -> tuple[str, str]:
+def _token(kind: str, text: str, span: Span) -> Token:
+    """Settle kind and text: synonyms and bars in one spelling, environments by their name."""
+    if kind in {"word", "sign", "symbol"}:
+        return Token(*_classify(SYNONYMS.get(text, text)), span)
+    if kind in {"open", "close"}:
+        return Token(kind, "\\|" if "\\|" in text or "V" in text else "|", span)
+    if kind in {"begin", "end"}:
+        name = text[text.index("{") + 1 : text.index("}")].strip().rstrip("*")
+        return Token("space" if name in FRAMES else kind, name, span)
+    return Token(kind, text, span)
+
+
+def _classify(text: str) -> tuple[str, str]:
     if not text.startswith("\\") or not text[1:].isalpha():
         return ("symbol" if text.isalpha() else "sign"), text
     name = text[1:]
     return ("space" if name in SPACING else KINDS.get(name, "word")), text
 
 
-def _unknown(kind: str, text: str, source: str, span: Span) -> LatexError:
-    if kind == "begin":
-        return LatexError(
-            f"the environment `{text}` is not read", source, span,
-            f"write one of {', '.join(sorted(TABLES))}",
-        )  # fmt: skip
-    if kind == "unknown":
-        return LatexError(f"{text!r} is no part of a formula", source, span, "write it in LaTeX")
-    near = get_close_matches(text[1:], [*KINDS, *SPACING], n=1, cutoff=0.8)
-    cure = f"did you mean `\\{near[0]}`?" if near else "leave it out of the formula"
-    cure = UNREAD.get(text[1:], cure)
-    return LatexError(f"`{text}` is not read", source, span, cure)
+def _unknown(token: Token, source: str) -> LatexError:
+    text = token.text
+    if token.kind == "begin":
+        message = f"the environment `{text}` is not read"
+        cure = f"write one of {', '.join(sorted(TABLES))}"
+    elif token.kind == "unknown":
+        message, cure = f"{text!r} is no part of a formula", "write it in LaTeX"
+    else:
+        message = f"`{text}` is not read"
+        near = get_close_matches(text[1:], [*KINDS, *SPACING], n=1, cutoff=0.8)
+        cure = f"did you mean `\\{near[0]}`?" if near else "leave it out of the formula"
+        cure = UNREAD.get(text[1:], cure)
+    return LatexError(message, source, token.span, cure)
 
 
 def _layout(tokens: list[Token], source: str) -> Iterator[Token]:
@@ -203,7 +211,7 @@ def _layout(tokens: list[Token], source: str) -> Iterator[Token]:
     """
     opened: list[Token] = []
     for place, token in enumerate(tokens):
-        inside = opened[-1] if opened else None
+        kept = _separator(token, opened[-1] if opened else None, tokens[place + 1 : place + 3])
         if token.text in OPENING or token.kind == "begin":
             opened.append(token)
             if len(opened) > MAX_DEPTH:
@@ -211,17 +219,22 @@ def _layout(tokens: list[Token], source: str) -> Iterator[Token]:
                 raise LatexError(message, source, token.span, "split the formula")
         elif opened and (token.text in CLOSING or token.kind == "end"):
             opened.pop()
-        if token.kind == "blank":
-            if inside is not None and inside.text == "[":
-                yield Token("sign", ",", token.span)
-        elif inside is not None and inside.kind == "begin":
-            yield token
-        elif token.kind == "row":
-            if inside is None and not _goes_on(tokens[place + 1 : place + 3]):
-                yield token
-        elif token.text != "&":
-            yield token
+        if kept is not None:
+            yield kept
+
+
+def _separator(token: Token, inside: Token | None, following: list[Token]) -> Token | None:
+    """Give a token as it counts in its bracket; `None` where it is only layout."""
+    in_table = inside is not None and inside.kind == "begin"
+    if token.kind == "blank":
+        in_row = inside is not None and inside.text == "["
+        return Token("sign", ",", token.span) if in_row else None
+    if token.kind == "row":
+        return token if in_table or (inside is None and not _goes_on(following)) else None
+    return None if token.text == "&" and not in_table else token
 
 
 def _goes_on(following: list[Token]) -> bool:
-    return [token.text for token in following[:1]] == ["&"] and following[-1].text in {"+", "-"}
+    """Whether a line starts with `+`, or with `&` and a sign: no statement does."""
+    texts = [token.text for token in following]
+    return texts[:1] == ["+"] or texts in (["&", "+"], ["&", "-"])
