@@ -49,11 +49,11 @@ EXPECTED = [
     verdict("eq:11", "conditional", "a volume is 8 / |det A|, and det A < 0 for wheels counted "
             "clockwise", assumption=r"\det \mathbf{A} > 0"),
     verdict("eq:12", "conditional", "2 cos t + sin 2t = 2 cos t (1 + sin t) < 0 for cos t < 0",
-            follows="eq:11"),
+            follows="sec:3/volume-ratio"),
     verdict("sec:3/three-parameters", "verified", "each derivative of det A is a difference of "
             "two cosines, nonzero somewhere"),
     verdict("sec:3/minimum-equilateral", "verified",
-            "|det A| = 4 |sin A/2 sin B/2 sin C/2| is largest for A = B = C", follows="eq:11"),
+            "|det A| = 4 |sin A/2 sin B/2 sin C/2| is largest for A = B = C", follows="sec:3/volume-ratio"),
     verdict("sec:3/two-cases", "erratum",
             "a1 + a2 + a3 = (0,0,1), so a3 = -a1 - a2 and the product is -(a1 x a2)^2"),
     verdict("eq:15/case-1", "verified", "4|d| + 4|2d| = 12|d| with d = a1 x a2"),
@@ -111,7 +111,7 @@ EXPECTED = [
             "beyond 180 degrees", assumption=r"0 < t \leq \pi"),
     verdict("app:C/sine-maximal-at-120", "erratum", "the sine is largest at 90 degrees"),
     verdict("app:C/inverse-maximal", "erratum", "det A is largest there, so 1/det A is smallest",
-            correction=r"1/\det \mathbf{A} \text{ is smallest there}"),
+            correction=r"1/\det \mathbf{A} \text{ is smallest there, where } \det \mathbf{A} > 0"),
     verdict("app:C/volume-minimised", "verified", "the conclusion holds, though the argument "
             "leaves arcs beyond 180 degrees out"),
     verdict("eq:D.2", "verified", "a2 x a3 = -p d, a1 x a3 = q d: opposite signs iff p q > 0"),
