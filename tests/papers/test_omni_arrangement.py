@@ -53,7 +53,8 @@ EXPECTED = [
     verdict("sec:3/three-parameters", "verified", "each derivative of det A is a difference of "
             "two cosines, nonzero somewhere"),
     verdict("sec:3/minimum-equilateral", "verified",
-            "|det A| = 4 |sin A/2 sin B/2 sin C/2| is largest for A = B = C", follows="sec:3/volume-ratio"),
+            "|det A| = 4 |sin A/2 sin B/2 sin C/2| is largest for A = B = C",
+            follows="sec:3/volume-ratio"),
     verdict("sec:3/two-cases", "erratum",
             "a1 + a2 + a3 = (0,0,1), so a3 = -a1 - a2 and the product is -(a1 x a2)^2"),
     verdict("eq:15/case-1", "verified", "4|d| + 4|2d| = 12|d| with d = a1 x a2"),
