@@ -6,6 +6,7 @@ for branch and bound.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from itertools import product
 from typing import Any
@@ -40,7 +41,9 @@ def judge(obligation: Obligation) -> Answer:
 
 
 def all_equal(values: Sequence[Expr]) -> Answer:
-    """Decide whether all expressions agree, wherever they are defined."""
+    """Decide whether all expressions agree, wherever they are defined; one alone says nothing."""
+    if len(values) < 2:
+        return Undecided("one value is compared with nothing")
     engines: tuple[str, ...] = ()
     for value in values[1:]:
         answer = decide_equal(values[0], value, REALS)
@@ -148,9 +151,8 @@ def instance(printed: Sequence[Expr], family: Sequence[Expr]) -> Answer:
     best = 0
     for value in printed:
         chosen = (value - family[k].subs(parameter, 0)) / factor
-        member = [_reduced(m.subs(parameter, chosen)) for m in family]
-        found = [entry for entry in printed if _reduced(entry) in member]
-        best = max(best, len(found))
+        member = Counter(_reduced(m.subs(parameter, chosen)) for m in family)
+        best = max(best, (member & Counter(map(_reduced, printed))).total())
     if best == len(printed) == len(family):
         return Proved(("exact",))
     shown = {f"angle_{i}": _degrees(entry) for i, entry in enumerate(printed, 1)}
