@@ -58,11 +58,14 @@ class Box:
             for x, (lower, upper) in zip(point, self.sides, strict=True)
         )
 
-    def rational_near(self, middle: list[Ball]) -> tuple[fmpq, ...] | None:
-        """Return a short rational point close to a place inside, None at the very border."""
+    def rational_near(self, middle: list[Ball], closeness: float = 1e-3) -> tuple[fmpq, ...] | None:
+        """Return a short rational point near a place inside, None at the very border.
+
+        `closeness` is measured by the length of each side.
+        """
         point = []
         for ball, (lower, length) in zip(middle, self.enclosed_sides(), strict=True):
-            value = _short(float(ball.mid()), float(length.mid()) / 1_000)
+            value = _short(float(ball.mid()), float(length.mid()) * closeness)
             if not lower < rational_ball(value) < lower + length:
                 return None
             point.append(value)

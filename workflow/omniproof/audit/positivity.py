@@ -134,10 +134,11 @@ class _Search:
         centre = middle(cell, self.sides)
         if not self._value(centre) < 0:
             return None
-        point = self.box.rational_near(centre)
-        if point is None or not self._value([arb(x) for x in point]) < 0:
-            return None
-        return point
+        for closeness in (1e-3, 1e-6, 1e-9, 0.0):
+            point = self.box.rational_near(centre, closeness)
+            if point is not None and self._value([arb(x) for x in point]) < 0:
+                return point
+        return None
 
     def _zero(self, exact: tuple[Any, ...]) -> Zero | None:
         """Find the order of a zero; None for a point that is none, or where f is not smooth."""
