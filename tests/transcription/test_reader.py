@@ -121,6 +121,11 @@ TREES = [
     pytest.param(
         "|(|a| - b)c|", Absolute(Product((Sum((Absolute(A), Negative(B))), C))), id="bars"
     ),
+    pytest.param(
+        "|(a|b|)c|",
+        Absolute(Product((Product((A, Absolute(B))), C))),
+        id="no bar outside a bracket ends inside",
+    ),
     pytest.param(r"\det[a, b, c]", Determinant((A, B, C)), id="determinant of columns"),
     pytest.param(r"\det \mathbf{A}", Name("\\det A"), id="determinant of a symbol is a symbol"),
     pytest.param(r"(\det A)^{-1}", Power(Name("\\det A"), -1), id="its inverse"),
