@@ -16,6 +16,7 @@ from omniproof.transcription.expression import evaluate
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role
 from omniproof.transcription.model import Symbol as PrintedSymbol
+from omniproof.transcription.reader import Names, read_with
 from omniproof.transcription.tree import Chain, Name, Node, names
 
 
@@ -44,6 +45,21 @@ class Context:
         }
         short = {build(): latex for latex, build in self.registry.abbreviations.items()}
         return Spelling(symbols, short)
+
+    @cached_property
+    def names(self) -> Names:
+        """The declared symbols, for reading more LaTeX."""
+        quantities = {
+            printed
+            for printed, symbol in self.loaded.symbols.items()
+            if symbol.role is Role.QUANTITY
+        }
+        return Names(frozenset(self.loaded.symbols), frozenset(quantities))
+
+    def value(self, text: str, claim: str) -> Any:
+        """Read and evaluate a formula with the symbols of a claim; raises `LatexError`."""
+        node = read_with(text, self.loaded.paper.notation, self.names)
+        return evaluate(node, self.meanings_at(claim, node), text)
 
     def meaning(self, printed: str) -> Any:
         """What a printed symbol stands for, by canonical name; quantities are derived once."""

@@ -16,9 +16,7 @@ from omniproof.audit.repair import repair
 from omniproof.audit.rows import answered, start
 from omniproof.audit.zero_test import decide_equal
 from omniproof.transcription.entries import entry_source
-from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import Claim, Role
-from omniproof.transcription.reader import read
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Span
 
@@ -64,16 +62,9 @@ def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
         if verbatim is None:
             yield Cell(name, text, tuple(node.span for node in nodes), sides, entry)
             continue
-        value = _value(verbatim, claim.id, context)
+        value = context.value(verbatim, claim.id)
         factor = 1 if value == 0 else sides[-1] / value
         yield Cell(name, verbatim, ((0, len(verbatim)),) * len(sides), sides, entry, factor)
-
-
-def _value(text: str, claim: str, context: Context) -> Any:
-    """Read and evaluate a piece of a printed formula; raises `LatexError`."""
-    paper = context.loaded.paper
-    node = read(text, paper.notation, [symbol.latex for symbol in paper.symbols])
-    return evaluate(node, context.meanings_at(claim, node), text)
 
 
 def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
@@ -105,7 +96,7 @@ def _mend(cell: Cell, place: int, claim: str, context: Context) -> str:
 
     def is_true(text: str) -> bool:
         try:
-            value = _value(text, claim, context) * cell.factor
+            value = context.value(text, claim) * cell.factor
             return isinstance(decide_equal(value, cell.derived), Proved)
         except (LatexError, TypeError, AttributeError):
             return False

@@ -136,15 +136,6 @@ def _row(direction: MatrixBase, position: MatrixBase) -> list[Expr]:
     return [_tidy(speed.diff(component)) for component in twist]
 
 
-def _pythagoras(expression: Expr) -> Expr:
-    """Expand with sin^2 = 1 - cos^2: a normal form of quadratics in one angle, and a fast one."""
-    squared = expand(expression).replace(
-        lambda part: part.is_Pow and part.exp == 2 and isinstance(part.base, sin),
-        lambda part: 1 - cos(part.base.args[0]) ** 2,
-    )
-    return expand(squared)
-
-
 def _unit_vector(angle: Expr) -> ImmutableMatrix:
     return ImmutableMatrix([cos(angle), sin(angle)])
 
@@ -155,9 +146,15 @@ def _exact(number: Scalar) -> Expr:
 
 
 def _tidy(expression: Expr) -> Expr:
-    """Expanded, with sin^2 + cos^2 gathered where symbols or products leave something to gather."""
+    """Expand, and write sin^2 as 1 - cos^2: that gathers what Pythagoras gathers, and is fast."""
     expanded = expand(expression)
-    return trigsimp(expanded) if expanded.is_Add else expanded
+    if not expanded.is_Add:
+        return expanded
+    squared = expanded.replace(
+        lambda part: part.is_Pow and part.exp == 2 and isinstance(part.base, sin),
+        lambda part: 1 - cos(part.base.args[0]) ** 2,
+    )
+    return expand(squared)
 
 
 def _vanishes(determinant: Expr) -> bool:
