@@ -108,6 +108,15 @@ def test_a_domain_that_excludes_the_branch_refutes():
     assert isinstance(decide_equal(row.left, -row.right, beyond), Proved)
 
 
+def test_what_the_domain_settles_is_no_condition():
+    row = BRANCH[5]  # |x| + |y| = x + y
+    found = decide_equal(row.left, row.right, Domain({"x": (1, 2)}))
+    assert found.condition == r"y \geq 0"
+    assert isinstance(
+        decide_equal(row.left, row.right, Domain({"x": (1, 2), "y": (0, sp.oo)})), Proved
+    )
+
+
 @pytest.mark.parametrize(
     ("expression", "reason"),
     [

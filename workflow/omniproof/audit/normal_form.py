@@ -44,11 +44,6 @@ class NormalForm:
         """Whether the formula vanishes identically, whatever the signs are."""
         return self.constants.vanishes(self.fraction.numerator)
 
-    @property
-    def has_signs(self) -> bool:
-        """Whether the value may depend on a sign of the argument of a root or absolute value."""
-        return bool(self.open_signs())
-
     def open_signs(self) -> list[str]:
         """Name the signs that are not fixed."""
         return [f"e{place}" for place, sign in enumerate(self.basis.signs) if sign is None]

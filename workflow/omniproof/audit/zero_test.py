@@ -29,11 +29,12 @@ from omniproof.audit.balls import (
     Program,
     UnsupportedError,
     compile_balls,
+    evaluate,
     exact_number,
     format_ball,
     rational_ball,
 )
-from omniproof.audit.branches import find_condition
+from omniproof.audit.branches import Condition, find_condition
 from omniproof.audit.exact import subtract
 from omniproof.audit.normal_form import NormalForm, normal_form
 from omniproof.audit.quotient import OnBox
@@ -143,20 +144,38 @@ class _Question:
             if differing:
                 raise DisagreementError(f"zero by normal form, not at {differing[0].witness()}")
             return self.proved(probes)
-        return self.on_branch(form, differing)
+        return self.on_branch(form, probes)
 
-    def on_branch(self, form: NormalForm, differing: list[_Probe]) -> Answer:
+    def on_branch(self, form: NormalForm, probes: list[_Probe]) -> Answer:
+        """Answer where the truth depends on signs, that the domain may or may not settle."""
         condition = find_condition(form, self.difference)
-        if differing:
-            witness = differing[0].witness()
-            if condition is None:
-                return Refuted(ENGINE, witness, "it holds in a part of the domain")
-            return OnBranch(ENGINE, condition.latex, witness, relations=condition.relations)
+        if condition is not None:
+            parts = (part for part in condition.parts if not self.is_positive(part))
+            condition = Condition(tuple(parts), condition.strict)
+        differing = [probe for probe in probes if probe.differs]
+        if not differing:
+            return self.without_counterexample(condition)
+        witness = differing[0].witness()
+        if condition is None or not self.is_exact(condition, probes):
+            return Refuted(ENGINE, witness, "it holds in a part of the domain")
+        return OnBranch(ENGINE, condition.latex, witness, relations=condition.relations)
+
+    @staticmethod
+    def without_counterexample(condition: Condition | None) -> Answer:
+        """Answer where no point shows a difference: proved if nothing is left to assume."""
         if condition is None:
             return Undecided("it holds at every point tried, but no proof was found", ENGINE)
-        if all(self.is_positive(part) for part in condition.parts):
-            return Proved(ENGINE, f"{condition.latex} in the domain")
-        return Undecided(f"it holds where {condition.latex}: not proved for the domain", ENGINE)
+        if condition.parts:
+            return Undecided(f"it holds where {condition.latex}: not proved for the domain", ENGINE)
+        return Proved(ENGINE)
+
+    @staticmethod
+    def is_exact(condition: Condition, probes: list[_Probe]) -> bool:
+        """Whether the sides differ at just those points that miss the condition."""
+        return all(
+            probe.differs == any(evaluate(part, probe.point) < 0 for part in condition.parts)
+            for probe in probes
+        )
 
     def is_positive(self, part: sp.Expr) -> bool:
         """Prove that a formula is positive everywhere in the domain."""
