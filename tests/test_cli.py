@@ -200,7 +200,7 @@ BAD = [
     ),
     pytest.param(
         Edit(TWIST, SHORT_TWIST, "eq:5/twist"),
-        "{at}: claims[eq:5/twist].latex: expected the shape (3, 1), found (2, 1)\n"
+        "{at}: claims[eq:5/twist].latex: expected a matrix of 3 x 1, found a matrix of 2 x 1\n"
         "    write every row with as many entries as the paper prints\n" + ONE,
         id="wrong shape of a matrix",
     ),
@@ -310,7 +310,8 @@ def test_faults_of_all_stages_are_told_in_one_run(folder: Path) -> None:
         f"{PAPER}:1:1: expected a claim for the derivation `eq:7`, found none",
         f"{at['no derivation']}: claims[eq:99]: expected a derivation for this identity, "
         "found none",
-        f"{at['shape']}: claims[eq:5/twist].latex: expected the shape (3, 1), found (2, 1)",
+        f"{at['shape']}: claims[eq:5/twist].latex: expected a matrix of 3 x 1, "
+        "found a matrix of 2 x 1",
         f"{at['kind']}: claims[eq:6/factor].kind: expected one of identity, value, relation, "
         "consistency, reference, editorial, found 'idea'",
         f"{at['twice']}: claims[eq:6].id: expected each id once, found `eq:6` again",

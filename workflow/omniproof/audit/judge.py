@@ -123,12 +123,10 @@ def _point(node: Node, context: Context) -> tuple[Expr, ...]:
 
 
 def _judge_consistency(claim: Claim, context: Context) -> Row:
-    if claim.id in context.registry.conventions:
-        return _judge_convention(claim, context)
-    if any(_is_convention(other, context) for other in claim.agrees_with):
-        (other,) = claim.agrees_with
-        row = _judge_convention(context.claims[other], context)
-        return start(claim, context).model_copy(update={"verdict": row.verdict, "note": row.note})
+    conventions = context.registry.conventions
+    convention = next((o for o in (claim.id, *claim.agrees_with) if o in conventions), None)
+    if convention:
+        return _judge_convention(claim, context.claims[convention], context)
     row = start(claim, context)
     against = [other for other in claim.agrees_with if not _agree(claim, other, context)]
     verdict = Verdict.INCONSISTENT if against else Verdict.VERIFIED
@@ -136,24 +134,17 @@ def _judge_consistency(claim: Claim, context: Context) -> Row:
     return with_note(row, f"differs from {', '.join(against)}" if against else "")
 
 
-def _is_convention(other: str, context: Context) -> bool:
-    return other in context.registry.conventions
-
-
-def _judge_convention(claim: Claim, context: Context) -> Row:
-    convention = context.registry.conventions[claim.id]
-    chosen = context.choices[claim.id]
-    agreed = chosen == convention.stated
-    row = start(claim, context).model_copy(
-        update={"verdict": Verdict.VERIFIED if agreed else Verdict.INCONSISTENT, "engines": "flint"}
-    )
-    if agreed:
+def _judge_convention(claim: Claim, place: Claim, context: Context) -> Row:
+    """Judge the place that uses a convention, or one that states it: both say the same."""
+    convention = context.registry.conventions[place.id]
+    chosen = context.choices[place.id]
+    row = start(claim, context).model_copy(update={"verdict": Verdict.VERIFIED, "engines": "flint"})
+    if chosen == convention.stated:
         return row
-    others = ", ".join(claim.agrees_with)
     return with_note(
-        row,
-        f"stated at {others}: {convention.stated}; used here: {chosen}. "
-        f"The printed formulas need the latter",
+        row.model_copy(update={"verdict": Verdict.INCONSISTENT}),
+        f"stated at {', '.join(place.agrees_with)}: {convention.stated}; "
+        f"used at {place.id}: {chosen}. The printed formulas need the latter",
     )
 
 

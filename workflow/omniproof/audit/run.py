@@ -114,12 +114,17 @@ def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
 
 
 def _shapes(claim: Claim, context: Context, values: list[object]) -> Iterator[Fault]:
-    expected = getattr(context.derive(claim.id), "shape", "a single expression")
-    for value in values:
-        found = getattr(value, "shape", "a single expression")
+    expected = _shape(context.derive(claim.id))
+    for found in map(_shape, values):
         if found != expected:
             cure = "write every row with as many entries as the paper prints"
-            yield _fault(claim, context, f"expected the shape {expected}, found {found}", cure)
+            yield _fault(claim, context, f"expected {expected}, found {found}", cure)
+
+
+def _shape(value: object) -> str:
+    if isinstance(value, MatrixBase):
+        return f"a matrix of {value.rows} x {value.cols}"
+    return "a single expression"
 
 
 def _fault(claim: Claim, context: Context, message: str, cure: str) -> Fault:
