@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import subprocess
 import sys
@@ -20,11 +19,9 @@ ONE = f"1 fault in {PAPER}\n"
 
 
 def audit(*arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     return subprocess.run(
         [sys.executable, "-m", "omniproof.cli", "audit", *arguments],
         cwd=cwd,
-        env=environment,
         capture_output=True,
         text=True,
         timeout=120,

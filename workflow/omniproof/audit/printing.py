@@ -32,7 +32,9 @@ class Spelling:
         return text if len(text) <= LONGEST else ""
 
     def _abbreviated(self, value: Any) -> Any:
-        """Name long parts; what is the long expression itself is printed in full."""
+        """Name long parts, and the inverses of named roots; a long expression alone stays whole."""
         if not hasattr(value, "xreplace") or value in self.abbreviations:
             return value
-        return value.xreplace({part: Symbol(text) for part, text in self.abbreviations.items()})
+        named = {part: Symbol(text) for part, text in self.abbreviations.items()}
+        inverses = {1 / part: 1 / name for part, name in named.items() if part.is_Pow}
+        return value.xreplace(named | inverses)

@@ -28,7 +28,7 @@ class Mark:
 
 
 MARKS: Mapping[Verdict, Mark] = {
-    Verdict.VERIFIED: Mark("verified", "✓", "#00674a", "#3cc79a", "true, proved by the exact test"),
+    Verdict.VERIFIED: Mark("verified", "✓", "#00674a", "#3cc79a", "true: proved, or found as said"),
     Verdict.CONDITIONAL: Mark(
         "conditional", "◐", "#00588f", "#6cb8ee", "true only under a condition that is not stated"
     ),

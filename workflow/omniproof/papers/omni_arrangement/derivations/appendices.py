@@ -311,3 +311,6 @@ def half_of_hexagon() -> Relation:
 
 
 REGISTRY.abbreviations[r"\det[\mathbf{a}_1, \mathbf{a}_2, \mathbf{a}_3]"] = triple_product
+REGISTRY.abbreviations[r"\|\mathbf{a}_1 \times \mathbf{a}_2\|"] = lambda: norm(
+    free_vectors()[0].cross(free_vectors()[1])
+)

@@ -9,7 +9,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from sympy import Abs, Expr, ImmutableMatrix, Symbol, cancel, eye, ones, pi, sqrt, symbols
+from sympy import (
+    Abs,
+    Expr,
+    ImmutableMatrix,
+    Symbol,
+    cancel,
+    expand,
+    eye,
+    factor,
+    ones,
+    pi,
+    sqrt,
+    symbols,
+)
 
 from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import isosceles
@@ -143,7 +156,7 @@ def determinant() -> Expr:
 @REGISTRY.quantity("D_V")
 def volume_of_family() -> Expr:
     """Image volume of the isosceles family."""
-    return image_volume(platform(isosceles(THETA)).determinant)
+    return image_volume(factor(expand(platform(isosceles(THETA)).determinant)))
 
 
 @REGISTRY.quantity("D_A")
