@@ -10,7 +10,7 @@ import pytest
 
 from omniproof.audit.attribution import attribute
 from omniproof.audit.ledger import Row
-from omniproof.papers.registry import Registry
+from omniproof.registry import Registry
 
 
 @dataclass

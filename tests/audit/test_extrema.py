@@ -8,7 +8,7 @@ import sympy as sp
 
 from omniproof.audit.answer import OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.extrema import concave, prove_extremum, sign_on
-from omniproof.papers.registry import Family
+from omniproof.registry import Family
 
 A, B, C, t = sp.symbols("A B C t", real=True)
 pi, sin, cos, sqrt, tan, Abs = sp.pi, sp.sin, sp.cos, sp.sqrt, sp.tan, sp.Abs

@@ -9,7 +9,7 @@ from sympy import Abs, And, Integer, Or, Rational, Symbol, cos, pi, sin, sqrt, s
 
 from omniproof.audit.answer import OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.relations import equivalent, instance, judge, merge
-from omniproof.papers.registry import Family, Obligation
+from omniproof.registry import Family, Obligation
 from omniproof.transcription.model import Form
 
 x, y, t = symbols("x y t", real=True)

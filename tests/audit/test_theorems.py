@@ -11,7 +11,7 @@ from sympy import Expr, Integer, cos, sin, symbols
 
 from omniproof import papers
 from omniproof.audit.theorems import UnprovedError, prove, prove_all, write_theorems
-from omniproof.papers.registry import Obligation, Step, Theorem
+from omniproof.registry import Obligation, Step, Theorem
 from omniproof.transcription.model import Form
 
 x, y = symbols("x y", real=True)

@@ -23,7 +23,7 @@ from sympy import (
 
 from omniproof.audit.ledger import Verdict
 from omniproof.audit.readings import Read
-from omniproof.papers.registry import Convention, Obligation, Registry, Relation
+from omniproof.registry import Convention, Obligation, Registry, Relation
 from omniproof.transcription.model import Form
 
 x, y, t = symbols("x y t", real=True)

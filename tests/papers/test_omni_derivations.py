@@ -17,7 +17,7 @@ from sympy import Expr, MatrixBase
 
 from omniproof.kinematics import omni
 from omniproof.papers.omni_arrangement.derivations import REGISTRY
-from omniproof.papers.registry import Family, Obligation, Relation
+from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.loader import load_paper
 from omniproof.transcription.model import Kind
 

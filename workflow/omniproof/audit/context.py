@@ -11,7 +11,7 @@ from sympy import MatrixBase, Symbol
 
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
-from omniproof.papers.registry import Derivation, Derived, Registry, Relation
+from omniproof.registry import Derivation, Derived, Registry, Relation
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role

@@ -13,7 +13,7 @@ from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
 from omniproof.audit.relations import equivalent, instance, judge, merge
 from omniproof.audit.rows import answered, start, with_note
-from omniproof.papers.registry import Obligation, Relation
+from omniproof.registry import Obligation, Relation
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind
 from omniproof.transcription.symbols import symbol_name
@@ -85,25 +85,27 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
     relation = context.relation(claim.id)
     answer = _judge_form(claim, relation, context)
     row = answered(start(claim, context), answer, context)
-    if not isinstance(answer, Refuted):
-        return row
-    engines = list(answer.engines)
+    return _mended(row, relation, answer.engines) if isinstance(answer, Refuted) else row
+
+
+def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
+    """Say what holds instead of a false relation: a proved correction, or a condition."""
+    if not (relation.condition or relation.correction):
+        return _undecided(row, "false as it stands; its derivation does not say what holds instead")
     for obligation in relation.proof:
         proof = judge(obligation)
         if not isinstance(proof, Proved):
-            return row.model_copy(
-                update={
-                    "verdict": Verdict.UNDECIDED,
-                    "note": f"no proof of the correction: {proof}",
-                }
-            )
-        engines += proof.engines
-    fields: dict[str, object] = {"engines": "+".join(merge(engines))}
+            return _undecided(row, f"the {obligation.form} of its correction is not proved")
+        engines = merge(engines, proof.engines)
     if relation.condition:
-        fields |= {"verdict": Verdict.CONDITIONAL, "assumption": relation.condition}
-    elif relation.correction:
-        fields |= {"correction": relation.correction, "repair": Repair.MANUAL}
-    return row.model_copy(update=fields)
+        fields = {"verdict": Verdict.CONDITIONAL, "assumption": relation.condition}
+    else:
+        fields = {"correction": relation.correction, "repair": Repair.MANUAL}
+    return row.model_copy(update={"engines": "+".join(engines), **fields})
+
+
+def _undecided(row: Row, reason: str) -> Row:
+    return with_note(row.model_copy(update={"verdict": Verdict.UNDECIDED}), reason)
 
 
 def _judge_form(claim: Claim, relation: Relation, context: Context) -> Answer:

@@ -19,7 +19,7 @@ from omniproof.audit import ordering
 from omniproof.audit.answer import REALS, Answer, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.zero_test import decide_equal
-from omniproof.papers.registry import Family, Obligation
+from omniproof.registry import Family, Obligation
 from omniproof.transcription.model import Form
 
 _SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}

@@ -22,7 +22,7 @@ from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
 from omniproof.audit.zero_test import decide_equal
-from omniproof.papers.registry import Family
+from omniproof.registry import Family
 from omniproof.transcription.model import Claim
 
 

@@ -14,7 +14,7 @@ from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Ledger
 from omniproof.audit.readings import load_readings
-from omniproof.papers.registry import Registry, load_registry
+from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_sound_part
 from omniproof.transcription.matching import unmatched

@@ -16,7 +16,7 @@ from typing import Any
 
 from omniproof.audit.answer import Proved
 from omniproof.audit.relations import judge, merge
-from omniproof.papers.registry import Theorem
+from omniproof.registry import Theorem
 
 
 @dataclass(frozen=True)

@@ -39,7 +39,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     sum_of_columns,
 )
 from omniproof.papers.omni_arrangement.derivations.simulation import by_type, section_of
-from omniproof.papers.registry import Family, Obligation, Step, Theorem
+from omniproof.registry import Family, Obligation, Step, Theorem
 from omniproof.transcription.model import Form
 
 PAPER = ("omni-arrangement",)

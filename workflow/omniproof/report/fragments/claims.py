@@ -20,9 +20,7 @@ from omniproof.report.fragments.base import (
 from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math, same
 from omniproof.transcription.model import Kind, Reading, Source
 
-FOLDED = frozenset(
-    {Verdict.VERIFIED, Verdict.UNCHECKABLE, Verdict.INCONSISTENT, Verdict.EDITORIAL}
-)
+FOLDED = frozenset({Verdict.VERIFIED, Verdict.UNCHECKABLE, Verdict.INCONSISTENT, Verdict.EDITORIAL})
 
 ENGINES: Mapping[str, str] = {
     "flint": "FLINT",

@@ -48,7 +48,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     second_arc,
     third_arc,
 )
-from omniproof.papers.registry import Convention, Family, Obligation, Relation
+from omniproof.registry import Convention, Family, Obligation, Relation
 from omniproof.transcription.model import Form
 
 MATRIX = "app:A/matrix"

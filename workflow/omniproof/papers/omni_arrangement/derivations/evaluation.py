@@ -24,7 +24,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     sum_of_columns,
     volume_of_family,
 )
-from omniproof.papers.registry import Family, Obligation, Relation
+from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 
 ARCS = symbols("A B", real=True)

@@ -7,12 +7,13 @@ from sympy import Abs, Expr, Integer, cos, pi
 from omniproof.papers.omni_arrangement.arrangements import CORRECTED
 from omniproof.papers.omni_arrangement.derivations.quantities import (
     REGISTRY,
+    any_directions,
+    cross_products,
     general,
-    image_area,
-    image_volume,
+    invert,
     platform,
 )
-from omniproof.papers.registry import Relation
+from omniproof.registry import Relation
 
 
 @REGISTRY.derives("sec:abstract/omnidirectional", rests_on=["sec:4/type-z-angles"])
@@ -69,8 +70,8 @@ def _count_symmetries(angles: tuple[Expr, ...]) -> int:
 
 @REGISTRY.derives("sec:1/determinant-as-measure", "sec:4#2/determinant-as-measure")
 def measures_by_determinant() -> Relation:
-    """Both evaluation functions, each divided by its value for |det A| = 1."""
-    determinant = general().determinant
-    volume = image_volume(determinant) * Abs(determinant) / image_volume(Integer(1))
-    area = image_area(determinant) * Abs(determinant) / image_area(Integer(1))
+    """|det A| times the volume over 8, and times the area over 12, for free driven directions."""
+    free = any_directions()
+    volume = Abs(invert(free.inverse).determinant * free.determinant)
+    area = sum(Abs(product) for product in cross_products()) / 3
     return Relation((volume, area, Integer(1)))

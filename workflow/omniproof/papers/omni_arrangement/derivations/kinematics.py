@@ -24,7 +24,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     speed,
     translational_speed,
 )
-from omniproof.papers.registry import Obligation, Relation
+from omniproof.registry import Obligation, Relation
 from omniproof.transcription.model import Form
 
 

@@ -26,7 +26,7 @@ from sympy import (
 
 from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import isosceles
-from omniproof.papers.registry import Registry
+from omniproof.registry import Registry
 
 REGISTRY = Registry("omni-arrangement")
 

@@ -15,7 +15,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     image_volume,
     platform,
 )
-from omniproof.papers.registry import Family, Obligation, Relation
+from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 
 TYPE_Z = "sec:4/type-z-angles"
