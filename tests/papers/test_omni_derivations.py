@@ -322,7 +322,7 @@ WITHOUT_MECHANICS = {
          "area_of_base", "length_of_normal", "products_with_normal", "height_over_base",
          "volume_by_height", "volume_by_triple_product", "triple_product", "area_of_case_2",
          "condition_of_case_1", "condition_of_case_2"), VECTORS),
-    **dict.fromkeys(("image_is_solid", "velocity", "twist", "measures_by_determinant"), MATRICES),
+    **dict.fromkeys(("image_is_solid", "velocity", "twist"), MATRICES),
     **dict.fromkeys(
         ("arc_a", "arc_b", "arc_c", "two_arcs", "sine_of_third_arc", "full_turn", "mean_arc",
          "sine_over_arcs"), ARCS),
