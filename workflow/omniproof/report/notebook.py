@@ -28,7 +28,7 @@ class ChapterError(Exception):
 def execute(source: Path, output: Path, folder: Path = Path()) -> None:
     """Run the notebook `source` (MyST Markdown) in `folder` and write it with its outputs.
 
-    Cells get the ids `cell-1`, `cell-2`, …; no times are recorded. What a cell prints to standard
+    Cells get the ids `cell-1`, `cell-2`, …; no times and no version of Python are recorded. What a cell prints to standard
     error is printed here, and is no part of the page.
 
     Raises `ChapterError` with the number and the first line of the cell that failed.
@@ -51,6 +51,7 @@ def execute(source: Path, output: Path, folder: Path = Path()) -> None:
                 _where(notebook, source) + f": {error.ename}: {error.evalue}"
             ) from error
     _take_out_talk(notebook)
+    notebook.metadata.get("language_info", {}).pop("version", None)
     nbformat.write(notebook, output)
 
 
