@@ -28,8 +28,8 @@ class ChapterError(Exception):
 def execute(source: Path, output: Path, folder: Path = Path()) -> None:
     """Run the notebook `source` (MyST Markdown) in `folder` and write it with its outputs.
 
-    Cells get the ids `cell-1`, `cell-2`, …; no times and no version of Python are recorded. What a cell prints to standard
-    error is printed here, and is no part of the page.
+    Cells get the ids `cell-1`, `cell-2`, …; no times and no version of Python are recorded. What a
+    cell prints to standard error is printed here, and is no part of the page.
 
     Raises `ChapterError` with the number and the first line of the cell that failed.
     """
