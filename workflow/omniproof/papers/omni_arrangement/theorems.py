@@ -202,7 +202,7 @@ THEOREMS = (
     Theorem(
         "thm:minimum",
         "The equilateral arrangement is the only minimum",
-        r"Among all arrangements, $D_V \ge 16\sqrt{3}/9 \approx 3.079$ (m/s)$^3$, with equality "
+        r"Among all arrangements, $D_V \ge 16\sqrt{3}/9$ (m/s)$^3$, with equality "
         r"for the equilateral ones only. Concavity of the sine proves this while every arc is at "
         r"most 180°. Where one arc is longer its sine is negative, so that "
         r"$\det\mathbf{A} \le \sin A + \sin B \le 2 < \frac{3}{2}\sqrt{3}$: the argument of "
