@@ -64,15 +64,19 @@ def sentence(row: Row, *, short: bool = False) -> str:
     words = not is_latex(row.printed)
     printed = "" if short and words else _quoted(row.printed)
     if row.correction:
-        left, sign, right = row.correction.partition("=")
-        if short and sign and row.printed.startswith(left + sign):
-            return f"{_quoted(row.printed.removeprefix(left + sign))} should read {_quoted(right)}"
-        link = ": in fact" if words and row.kind is Kind.RELATION and printed else " should read"
-        return f"{printed}{link} {_quoted(row.correction)}".strip()
+        return _corrected(row, printed, words=words, short=short)
     if row.assumption:
         link = ": only when" if words and printed else " holds only when"
         return f"{printed}{link} {_quoted(row.assumption)}".strip()
     return row.note or row.printed
+
+
+def _corrected(row: Row, printed: str, *, words: bool, short: bool) -> str:
+    left, sign, right = row.correction.partition("=")
+    if short and sign and row.printed.startswith(left + sign):
+        return f"{_quoted(row.printed.removeprefix(left + sign))} should read {_quoted(right)}"
+    link = ": in fact" if words and row.kind is Kind.RELATION and printed else " should read"
+    return f"{printed}{link} {_quoted(row.correction)}".strip()
 
 
 def _quoted(text: str) -> str:

@@ -280,11 +280,7 @@ def _tuple(scope: _Scope, node: tree.Tuple) -> Value:
 
 def _matrix(scope: _Scope, node: tree.MatrixLiteral) -> Value:
     """A matrix of numbers, or of blocks that fit together."""
-    rows = [[scope.value(entry) for entry in row] for row in node.rows]
-    for printed, row in zip(node.rows, rows, strict=True):
-        for entry, value in zip(printed, row, strict=True):
-            if not isinstance(value, Expr | MatrixBase):
-                scope.refuse(entry, f"expected a number, found {_kind(value)}")
+    rows = [[_entry(scope, entry) for entry in row] for row in node.rows]
     if all(_is_scalar(value) for row in rows for value in row):
         return ImmutableMatrix(rows)
     try:
@@ -292,6 +288,13 @@ def _matrix(scope: _Scope, node: tree.MatrixLiteral) -> Value:
         return ImmutableMatrix.vstack(*(ImmutableMatrix.hstack(*row) for row in blocks))
     except sympy.ShapeError:
         return scope.refuse(node, "the parts of the matrix do not fit together")
+
+
+def _entry(scope: _Scope, node: tree.Node) -> Value:
+    value = scope.value(node)
+    if not isinstance(value, Expr | MatrixBase):
+        scope.refuse(node, f"expected a number, found {_kind(value)}")
+    return value
 
 
 def _comparison(scope: _Scope, node: tree.Comparison) -> Value:

@@ -75,8 +75,6 @@ def group_html(group: Group, href: Href, *, addressed: bool) -> str:
     """Return the card of a claim; `addressed`: the group's own id is free to be an address."""
     if not group.is_matrix:
         return "".join(row_html(row, href) for row in group.rows)
-    faults = [row for row in group.rows if row.verdict is not Verdict.VERIFIED]
-    sound = [row for row in group.rows if row.verdict is Verdict.VERIFIED]
     verdict = worst(group.rows)
     count = sum(row.verdict is verdict for row in group.rows)
     address = f' id="{anchor(group.base)}"' if addressed else ""
@@ -84,34 +82,46 @@ def group_html(group: Group, href: Href, *, addressed: bool) -> str:
         f"{badge(verdict, f'{count} of {len(group.rows)}')} "
         f'<span class="where">{inline(place_of_group(group.rows[0].where))}</span>'
     )
-    listed = "".join(row_html(row, href) for row in sound)
-    if faults and sound:
-        listed = f"<details><summary>{len(sound)} verified</summary>{listed}</details>"
-    body = "".join(row_html(row, href) for row in faults) + listed
-    if not faults:
-        body = f"<details><summary>entry by entry</summary>{body}</details>"
     return (
-        f'<section class="claim matrix v-{verdict}"{address}>'
-        f'<div class="claim-head">{head}</div>{matrix_html(group)}{body}</section>'
+        f'<section class="claim matrix v-{verdict}"{address}><div class="claim-head">{head}</div>'
+        f"{matrix_html(group)}{_entries_html(group, href)}</section>"
     )
+
+
+def _entries_html(group: Group, href: Href) -> str:
+    """Return the entries: those with a fault in the open, the sound ones folded."""
+    sound = [row for row in group.rows if row.verdict is Verdict.VERIFIED]
+    open_ = "".join(row_html(row, href) for row in group.rows if row not in sound)
+    if not sound:
+        return open_
+    title = f"{len(sound)} verified" if open_ else "entry by entry"
+    folded = "".join(row_html(row, href) for row in sound)
+    return f"{open_}<details><summary>{title}</summary>{folded}</details>"
 
 
 def matrix_html(group: Group) -> str:
     """Return the matrix as printed, with a box around every entry that has a fault."""
-    cells = {index(row.id): row for row in group.rows}
-    if not all(place and all(part.isdigit() for part in place) for place in cells):
-        return ""
-    if not all(is_latex(row.printed) and is_settable(row.printed) for row in cells.values()):
-        return ""
-    grid = {(int(p[0]), int(p[1]) if len(p) > 1 else 1): row for p, row in cells.items()}
-    height, width = max(i for i, _ in grid), max(j for _, j in grid)
-    if len(grid) != height * width:
+    grid = _grid(group)
+    height, width = (max((place[k] for place in grid), default=0) for k in (0, 1))
+    if not grid or len(grid) != height * width:
         return ""
     lines = (
         " & ".join(_boxed(grid[i, j]) for j in range(1, width + 1)) for i in range(1, height + 1)
     )
     body = r" \\ ".join(lines)
     return math(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}", display=True)
+
+
+def _grid(group: Group) -> dict[tuple[int, int], Row]:
+    """Return the entries by row and column; empty where one has no place or cannot be set."""
+    grid = {}
+    for row in group.rows:
+        place = index(row.id)
+        numbered = place and all(part.isdigit() for part in place)
+        if not (numbered and is_latex(row.printed) and is_settable(row.printed)):
+            return {}
+        grid[int(place[0]), int(place[-1]) if len(place) > 1 else 1] = row
+    return grid
 
 
 def _boxed(row: Row) -> str:
