@@ -9,6 +9,7 @@ from typing import Any
 from sympy import MatrixBase
 
 from omniproof.audit.answer import Answer, Proved
+from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.relations import merge
@@ -83,7 +84,7 @@ def _compare(cell: Cell) -> tuple[Answer, int]:
     """Hold each side against what is derived; the answer on the first that fails, and its place."""
     engines: tuple[str, ...] = ()
     for place, side in enumerate(cell.sides):
-        answer = decide_equal(side, cell.derived)
+        answer = confirmed_equal(side, cell.derived)
         if not isinstance(answer, Proved):
             return answer, place
         engines = merge(engines, answer.engines)

@@ -16,9 +16,9 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
 from omniproof.audit import ordering
-from omniproof.audit.answer import REALS, Answer, Proved, Refuted, Undecided, Witness
+from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
-from omniproof.audit.zero_test import decide_equal
+from omniproof.audit.confirm import confirmed_equal
 from omniproof.registry import Family, Obligation
 from omniproof.transcription.model import Form
 
@@ -46,7 +46,7 @@ def all_equal(values: Sequence[Expr]) -> Answer:
         return Undecided("one value is compared with nothing")
     engines: tuple[str, ...] = ()
     for value in values[1:]:
-        answer = decide_equal(values[0], value, REALS)
+        answer = confirmed_equal(values[0], value)
         if not isinstance(answer, Proved):
             return answer
         engines = merge(engines, answer.engines)

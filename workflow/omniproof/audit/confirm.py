@@ -1,0 +1,76 @@
+"""Every answer twice: what the first engine says is asked again of engines with other mathematics.
+
+An engine is named in an answer only where it decided: a second engine that does not support a
+formula, or that leaves its truth to signs, adds no name. Engines that contradict each other are a
+defect of this project, whatever the formula is: `DisagreementError` stops the build.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.exact import subtract
+from omniproof.audit.modular import Mixed, NonZero, Zero, vanishes_modulo
+from omniproof.audit.zero_test import DisagreementError, decide_equal
+
+Vote = bool | None
+"""True: the answer is confirmed; False: it is contradicted; None: not decided."""
+
+
+def confirmed_equal(printed: Any, derived: Any, domain: Domain = REALS) -> Answer:
+    """Decide as `decide_equal` does, and name every engine that comes to the same answer.
+
+    Raises `DisagreementError` when an engine comes to another one.
+    """
+    answer = decide_equal(printed, derived, domain)
+    if isinstance(answer, Undecided):
+        return answer
+    for engine, vote_of in ENGINES.items():
+        vote = vote_of(answer, printed, derived, domain)
+        if vote is False:
+            raise DisagreementError(_both_sides(engine, answer, printed, derived))
+        if vote:
+            answer = replace(answer, engines=(*answer.engines, engine))
+    return answer
+
+
+def _both_sides(engine: str, answer: Answer, printed: Any, derived: Any) -> str:
+    sides = f"{sp.sstr(printed)} = {sp.sstr(derived)}"
+    return f"{engine} contradicts {'+'.join(answer.engines)} on {sides}: {answer}"
+
+
+def _modular(answer: Answer, printed: Any, derived: Any, domain: Domain) -> Vote:
+    """Ask at points of prime fields; a test over all reals, so that a domain only leaves cases out.
+
+    A condition is confirmed when it suffices (zero under it) and something is needed (not without).
+    """
+    difference = subtract(printed, derived)
+    match vanishes_modulo(difference), answer:
+        case (Zero(), Proved()) | (NonZero(), Refuted()):
+            return True
+        case (Zero(), _) | (NonZero(), _):
+            return False
+        case Mixed(), OnBranch(relations=relations):
+            return _suffices(difference, relations)
+    return None
+
+
+def _suffices(difference: sp.Expr, relations: Sequence[Any]) -> Vote:
+    signed = (sp.StrictGreaterThan, sp.GreaterThan)
+    if not relations or not all(isinstance(r, signed) and r.rhs == 0 for r in relations):
+        return None
+    match vanishes_modulo(difference, [relation.lhs for relation in relations]):
+        case Zero():
+            return True
+        case NonZero():
+            return False
+    return None
+
+
+ENGINES: dict[str, Callable[[Answer, Any, Any, Domain], Vote]] = {"modular": _modular}
+"""By the name in the ledger, in the order in which they are asked."""
