@@ -1,0 +1,59 @@
+"""Our engines on the corpus: nothing wrong, nothing undecided; what they cannot do yet is named."""
+
+import pytest
+from questions import ask, decision, verdict
+
+from corpus import Record, load
+from omniproof.audit.answer import OnBranch
+
+UNBOUNDED = "relations are decided on bounded boxes only"
+NO_CLOSED_FORM = "a sign that changes at a zero without closed form is undecided, not refuted"
+CANNOT = {
+    "half-cosine-sign": "no sample point leaves the branch: points stay within half a turn",
+    "heron": "no condition is found for a root over a root, so the range of the angle is not used",
+    "heron-sign": "no condition is found for a root over a root: refuted with a note, no branch",
+    "amplitude-bound-false": NO_CLOSED_FORM,
+    "isosceles-bound-false": NO_CLOSED_FORM,
+    "triangle-cosine-bound": "equality inside of a box of two variables",
+    "arithmetic-geometric": UNBOUNDED,
+    "cauchy-schwarz": UNBOUNDED,
+    "cauchy-schwarz-false": UNBOUNDED,
+    "quadratic-positive": UNBOUNDED,
+    "motzkin": UNBOUNDED,
+}
+"""What the engines cannot do, by id; a record that is decided leaves this list."""
+
+
+def rows() -> list[object]:
+    return [
+        pytest.param(
+            record,
+            id=record.id,
+            marks=[pytest.mark.xfail(reason=CANNOT[record.id], strict=True)]
+            if record.id in CANNOT
+            else [],
+        )
+        for record in load()
+    ]
+
+
+@pytest.mark.parametrize("record", rows())
+def test_the_engines_say_what_mathematics_says(record: Record) -> None:
+    question = ask(record)
+    assert verdict(question, decision(question, confirmed=True)) == record.expected
+
+
+@pytest.mark.parametrize("name", sorted(CANNOT))
+def test_what_cannot_be_decided_is_not_decided_wrongly(name: str) -> None:
+    (record,) = (record for record in load() if record.id == name)
+    question = ask(record)
+    given = verdict(question, decision(question))
+    assert given in {"undecided", record.expected} or name == "heron-sign"
+
+
+def test_a_branch_names_its_condition() -> None:
+    for record in load():
+        if record.expected == "branch" and record.id not in CANNOT:
+            answer = decision(ask(record))
+            assert isinstance(answer, OnBranch)
+            assert answer.condition
