@@ -65,7 +65,7 @@ ROWS = [
     row("eq:A.1", "verified", "right with the lever L", printed="L x", derived="L x",
         follows="app:A/lever"),
     row("eq:A.3", "erratum", "right with the stated lever only", printed="x y", derived="L x y",
-        correction="Lx y", repair="explained", follows="app:A/lever", consequence="motion",
+        correction="L x y", repair="explained", follows="app:A/lever", consequence="motion",
         witness="L=47/9; x=-26/9; y=10/7; printed=-4.127; derived=-21.55"),
     row("tab:2[exact,value]", "verified", "4", printed="4.00", derived="4",
         interval="4.00000; [3.995, 4.005]"),

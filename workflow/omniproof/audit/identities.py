@@ -12,13 +12,11 @@ from omniproof.audit.answer import Answer, Proved
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
 from omniproof.audit.ledger import Repair, Row, Verdict
+from omniproof.audit.mending import Mended, mend
 from omniproof.audit.relations import merge
-from omniproof.audit.repair import repair
-from omniproof.audit.rows import answered, start
-from omniproof.audit.zero_test import decide_equal
+from omniproof.audit.rows import answered, start, with_note
 from omniproof.transcription.entries import entry_source
-from omniproof.transcription.model import Claim, Role
-from omniproof.transcription.tokens import LatexError
+from omniproof.transcription.model import Claim
 from omniproof.transcription.tree import Span
 
 
@@ -76,7 +74,8 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
         return row
     mended = _mend(cell, place, claim.id, context)
     if mended:
-        return row.model_copy(update={"correction": mended, "repair": Repair.EXPLAINED})
+        row = row.model_copy(update={"correction": mended.text, "repair": mended.grade})
+        return with_note(row, f"or ${'$, or $'.join(mended.others)}$") if mended.others else row
     return row.model_copy(update={"correction": row.derived, "repair": Repair.MANUAL})
 
 
@@ -91,18 +90,8 @@ def _compare(cell: Cell) -> tuple[Answer, int]:
     return Proved(engines), 0
 
 
-def _mend(cell: Cell, place: int, claim: str, context: Context) -> str:
-    """Return the printed text after the one edit that makes the side at `place` true, if any."""
+def _mend(cell: Cell, place: int, claim: str, context: Context) -> Mended | None:
+    """Return the printed text with the least edit that makes the side at `place` true, if any."""
     begin, end = cell.places[place]
-
-    def is_true(text: str) -> bool:
-        try:
-            value = context.value(text, claim) * cell.factor
-            return isinstance(decide_equal(value, cell.derived), Proved)
-        except (LatexError, TypeError, AttributeError):
-            return False
-
-    symbols = context.loaded.paper.symbols
-    vocabulary = [symbol.latex for symbol in symbols if symbol.role is Role.VARIABLE]
-    found = repair(cell.text[begin:end], is_true, vocabulary)
-    return cell.text[:begin] + found[0].text + cell.text[end:] if found else ""
+    found = mend(cell.text[begin:end], cell.derived, claim, context, cell.factor)
+    return found and found.inside(cell.text[:begin], cell.text[end:])

@@ -1,189 +1,267 @@
-r"""The one edit that makes a misprint true, in the paper's own spelling.
+r"""The edits that make a misprint true: one, or else two, each result proved.
 
-Misprints are edits of the printed text: a flipped sign, a wrong index, sin for cos, a factor too
-many. So every single edit of that kind is made on the tokens of the printed LaTeX, and the caller
-says which results are true. Working on text keeps the paper's spelling; an expression would already
-have turned `-L \sin \alpha_1 + L \sin \alpha_1` into 0.
+A formula of a line has hundreds of single edits and tens of thousands of pairs, and the exact test
+takes milliseconds. So each edited text is read once, and the difference of its tree from the
+printed one is evaluated in floating point, upwards from the place of the edit: all edits of one
+place in a single array, and for pairs all combinations of two places. Only what agrees with the
+derived values at every point is left to the caller, who says what is true.
 """
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
-from enum import IntEnum
+from dataclasses import dataclass, fields
+from functools import cached_property
+from itertools import combinations, islice
 
-from omniproof.transcription.tokens import LatexError, Token, tokenize
+import numpy as np
+from numpy.typing import NDArray
+
+from omniproof.audit.approximate import ShapeError, Values, agree, combine, evaluate
+from omniproof.audit.edits import Edit, Repair, edits
+from omniproof.transcription import tree
+from omniproof.transcription.tokens import LatexError
+
+__all__ = ["Edit", "QuickLook", "Repair", "repair", "repair_twice"]
 
 MOST_EDITS = 2_000
-CONSTANTS = ("1", "2", "3", "4", "6", "8")
-FACTORS = ("2", "3", "4", r"\frac{1}{2}")
-FUNCTIONS = {
-    r"\sin": (r"\cos",),
-    r"\cos": (r"\sin",),
-    r"\tan": (r"\sin", r"\cos", r"\cot"),
-    r"\cot": (r"\tan",),
-}
-OPERAND_ENDS = {"number", "symbol"}
-OPENING = {"(", "[", "{", "=", "&", "\\\\", ","}
-CLOSING = {")", "]", "}", r"\}", "|", "'"}
+MOST_PROOFS = 24
+MOST_READ = 1_500
+"""Pairs of edits at one place, which have to be read anew."""
+MOST_GROUPS = 120
+MOST_FOR_PAIRS = 1_200
+"""Beyond so many single edits, pairs would take seconds."""
+
+Path = tuple[int, ...]
+"""The way down a tree: which child, which child of that, and so on."""
 
 
-class Edit(IntEnum):
-    """What an edit does, the most common misprint first."""
+@dataclass(frozen=True)
+class QuickLook:
+    """What it takes to see a wrong repair without proof.
 
-    SIGN = 0  # between two terms
-    MINUS = 1  # before a term
-    INDEX = 2
-    FUNCTION = 3
-    LETTER = 4  # with the same index
-    DROP = 5  # a constant that should not be there
-    CONSTANT = 6
-    FACTOR = 7  # a small constant that is missing
-    SYMBOL = 8
-    WHOLE = 9  # a symbol that is missing before everything
-
-
-@dataclass(frozen=True, order=True)
-class Repair:
-    """A single edit that makes a formula true; repairs sort by how common such a misprint is.
-
-    `span` is the place in the printed text that the edit replaces; `text` is the whole result.
+    `read` gives the tree of a text (raises `LatexError`), `meaning` the values of a symbol (raises
+    `KeyError`), `target` those of the truth. `relatives` are symbols that only replace symbols like
+    them.
     """
 
-    kind: Edit
-    span: tuple[int, int]
-    description: str
-    text: str
+    read: Callable[[str], tree.Node]
+    meaning: Callable[[str], Values]
+    target: Values
+    relatives: tuple[str, ...] = ()
 
 
 def repair(
-    printed: str, is_true: Callable[[str], bool], vocabulary: Sequence[str]
+    printed: str,
+    is_true: Callable[[str], bool],
+    vocabulary: Sequence[str],
+    quick: QuickLook | None = None,
 ) -> tuple[Repair, ...]:
     """Return all single edits of a false formula that make it true, the likeliest first.
 
     `vocabulary` holds the LaTeX of symbols that may replace one another. Empty when no edit helps,
-    or when the text cannot be cut into tokens.
+    or when the text cannot be cut into tokens. Without a quick look every edit is put to `is_true`.
     """
     try:
-        words = [(word, tuple(t.text for t in tokenize(word))) for word in vocabulary]
-        edits = sorted(set(_Editor(printed, words).edits()))
+        if quick is None:
+            found = edits(printed, vocabulary)
+        else:
+            found = list(_Search(printed, vocabulary, quick).single())
+    except ShapeError:
+        found = edits(printed, vocabulary)
     except LatexError:
         return ()
-    results = {edit.text: edit for edit in reversed(edits[:MOST_EDITS]) if edit.text != printed}
-    return tuple(sorted(edit for text, edit in results.items() if is_true(text)))
+    most = MOST_EDITS if quick is None else MOST_PROOFS
+    return tuple(edit for edit in found[:most] if is_true(edit.text))
 
 
-class _Editor:
-    """All edits of one text."""
+def repair_twice(
+    printed: str, is_true: Callable[[str], bool], vocabulary: Sequence[str], quick: QuickLook
+) -> tuple[Repair, ...]:
+    """Return pairs of edits that make a false formula true, the likeliest first.
 
-    def __init__(self, text: str, words: Sequence[tuple[str, tuple[str, ...]]]) -> None:
-        self.text, self.words = text, words
-        self.tokens = tokenize(text)
-        self.symbols = list(_symbols(self.tokens))
-        inside = {place for first, last in self.symbols for place in range(first, last)}
-        self.free = [(k, token) for k, token in enumerate(self.tokens) if k not in inside]
+    An unrelated formula becomes true so in one case of seven: such a repair is possible, and no
+    explanation. Empty when none is found within the limits.
+    """
+    try:
+        found = sorted(_Search(printed, vocabulary, quick).double())
+    except (ShapeError, LatexError):
+        return ()
+    return tuple(edit for edit in found[:MOST_PROOFS] if is_true(edit.text))
 
-    def edits(self) -> Iterator[Repair]:
-        for place, token in self.free:
-            if token.text in {"+", "-"}:
-                yield from self.flip(place, token)
-            elif token.text in FUNCTIONS:
-                for other in FUNCTIONS[token.text]:
-                    yield self.edit(Edit.FUNCTION, token.span, other, f"{token.text} -> {other}")
-            elif token.kind == "number":
-                yield from self.constant(token)
-        for first, last in self.symbols:
-            yield from self.rename(first, last)
-        for place in range(len(self.tokens)):
-            yield from self.insert(place)
-        for word, _ in self.words:
-            whole = (0, len(self.text))
-            yield self.edit(Edit.WHOLE, whole, f"{word} ({self.text})", f"multiply by {word}")
 
-    def flip(self, place: int, token: Token) -> Iterator[Repair]:
-        """Turn a sign between terms over; drop a leading one."""
-        if _ends_operand(self.tokens, place):
-            other = "-" if token.text == "+" else "+"
-            yield self.edit(Edit.SIGN, token.span, other, f"{token.text} -> {other}")
+@dataclass(frozen=True)
+class _Change:
+    """An edit, and what it does to the tree: another node at a place, and its values there."""
+
+    edit: Repair
+    path: Path
+    node: tree.Node
+    values: Values
+
+
+class _Search:
+    """The edits of one text, by the place of the tree that they change."""
+
+    def __init__(self, printed: str, vocabulary: Sequence[str], quick: QuickLook) -> None:
+        self.printed, self.quick = printed, quick
+        self.root = quick.read(printed)
+        self.edits = edits(printed, vocabulary, quick.relatives, self.root)[:MOST_EDITS]
+        self.known: dict[Path, tuple[tree.Node, Values]] = {}
+        self.learn((), self.root)
+
+    def learn(self, path: Path, node: tree.Node) -> Values:
+        """Evaluate the printed tree, and keep the values of every part."""
+        if isinstance(node, tree.Name | tree.Applied):
+            values = self.meaning(node.name)
         else:
-            yield self.edit(Edit.MINUS, token.span, "", f"drop {token.text}")
+            parts = enumerate(tree.children(node))
+            values = combine(node, [self.learn((*path, k), part) for k, part in parts])
+        self.known[path] = node, values
+        return values
 
-    def constant(self, token: Token) -> Iterator[Repair]:
-        for other in CONSTANTS:
-            if other != token.text:
-                yield self.edit(Edit.CONSTANT, token.span, other, f"{token.text} -> {other}")
-        yield self.edit(Edit.DROP, token.span, "", f"drop {token.text}")
+    def meaning(self, name: str) -> Values:
+        try:
+            return self.quick.meaning(name)
+        except KeyError:
+            raise ShapeError(f"no values of {name}") from None
 
-    def rename(self, first: int, last: int) -> Iterator[Repair]:
-        """Put another symbol for one, by index, by letter, or any; or drop it."""
-        span = self.tokens[first].span[0], self.tokens[last - 1].span[1]
-        own = tuple(token.text for token in self.tokens[first:last])
-        shown = self.text[slice(*span)]
-        for word, other in self.words:
-            if other == own:
+    @cached_property
+    def places(self) -> list[list[_Change]]:
+        """The changes that can be evaluated, by place and shape of their values; each once."""
+        found: dict[tuple[Path, tuple[int, ...]], dict[tree.Node, _Change]] = defaultdict(dict)
+        for edit in self.edits:
+            try:
+                path, node = _difference(self.root, self.quick.read(edit.text))
+                values = evaluate(node, self.meaning)
+            except (ShapeError, LatexError):
                 continue
-            base = len(other) > 1 and len(own) > 1 and other[0] == own[0]
-            index = len(other) > 1 and len(own) > 1 and other[1:] == own[1:]
-            kind = Edit.INDEX if base else Edit.LETTER if index else Edit.SYMBOL
-            yield self.edit(kind, span, word, f"{shown} -> {word}")
-        yield self.edit(Edit.SYMBOL, span, "", f"drop {shown}")
+            change = _Change(edit, path, node, values)
+            found[path, values.shape[-2:]].setdefault(node, change)
+        return [list(group.values()) for group in found.values()]
 
-    def insert(self, place: int) -> Iterator[Repair]:
-        """Put a minus before a term; put a factor before a term or the argument of a function."""
-        if any(first < place < last for first, last in self.symbols):
+    def single(self) -> Iterator[Repair]:
+        """Yield the edits that no point shows to be wrong, the likeliest first."""
+        return iter(sorted(change.edit for group in self.places for change in self.right(group)))
+
+    def right(self, group: Sequence[_Change]) -> Iterator[_Change]:
+        try:
+            values = self.lift(group[0].path, np.stack([change.values for change in group]))
+        except ShapeError:
             return
-        before, here = self.tokens[place - 1] if place else None, self.tokens[place]
-        opens = before is None or before.text in OPENING
-        signed = before is not None and (before.kind == "function" or before.text in {"+", "-"})
-        if not (opens or signed) or here.text in {"+", "-"}:
+        right = self.is_right(values, (len(group),))
+        yield from (change for change, fits in zip(group, right, strict=True) if fits)
+
+    def is_right(self, values: Values, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+        return np.broadcast_to(agree(values, self.quick.target), shape)
+
+    def lift(self, path: Path, values: Values, top: int = 0) -> Values:
+        """Carry values at a place up the printed tree, to the ancestor at depth `top`."""
+        for depth in reversed(range(top, len(path))):
+            values = self.over(path[:depth], {path[depth]: values})
+        return values
+
+    def over(self, parent: Path, replaced: dict[int, Values]) -> Values:
+        """Evaluate a printed node with other values for some of its children."""
+        node = self.known[parent][0]
+        if isinstance(node, tree.Applied):
+            raise ShapeError("a quantity is what it is, whatever its arguments")
+        places = range(len(tree.children(node)))
+        return combine(node, [self.part((*parent, k), replaced.get(k)) for k in places])
+
+    def part(self, path: Path, instead: Values | None) -> Values:
+        return self.known[path][1] if instead is None else instead
+
+    def double(self) -> Iterator[Repair]:
+        """Yield the pairs of edits that no point shows to be wrong."""
+        seen: set[tree.Node] = set()
+        for pair in self.pairs():
+            both = self.joined(*pair)
+            if both is not None and both[0] not in seen:
+                seen.add(both[0])
+                yield both[1]
+
+    def pairs(self) -> Iterator[tuple[_Change, _Change]]:
+        """Yield candidates: at places apart those that agree, at one place the likeliest."""
+        if len(self.edits) > MOST_FOR_PAIRS:
             return
-        span = here.span[0], here.span[0]
-        if opens:
-            yield self.edit(Edit.MINUS, span, "-", "insert -")
-        for factor in FACTORS:
-            yield self.edit(Edit.FACTOR, span, factor, f"insert {factor}")
-        for word, _ in self.words:
-            yield self.edit(Edit.SYMBOL, span, word, f"insert {word}")
+        groups = self.places[:MOST_GROUPS]
+        near: list[tuple[_Change, _Change]] = []
+        for first in groups:
+            near.extend(combinations(first, 2))
+        for first, second in combinations(groups, 2):
+            if _are_apart(first[0].path, second[0].path):
+                yield from self.right_pairs(first, second)
+            else:
+                near.extend((a, b) for a in first for b in second)
+        near.sort(key=lambda pair: pair[0].edit.kind + pair[1].edit.kind)
+        yield from islice(near, MOST_READ)
 
-    def edit(self, kind: Edit, span: tuple[int, int], new: str, description: str) -> Repair:
-        """Replace a span; a blank keeps a command apart from a letter that follows it."""
-        before, after = self.text[: span[0]], self.text[span[1] :]
-        return Repair(kind, span, description, _join(_join(before, new), after))
+    def right_pairs(
+        self, first: Sequence[_Change], second: Sequence[_Change]
+    ) -> Iterator[tuple[_Change, _Change]]:
+        """Try all edits of one place with all of another."""
+        one, other = first[0].path, second[0].path
+        fork = next(k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b)
+        left = np.stack([change.values for change in first])[:, None]
+        right = np.stack([change.values for change in second])[None, :]
+        try:
+            left, right = self.lift(one, left, fork + 1), self.lift(other, right, fork + 1)
+            values = self.over(one[:fork], {one[fork]: left, other[fork]: right})
+            values = self.lift(one[:fork], values)
+        except ShapeError:
+            return
+        for i, k in np.argwhere(self.is_right(values, (len(first), len(second)))):
+            yield first[i], second[k]
+
+    def joined(self, one: _Change, other: _Change) -> tuple[tree.Node, Repair] | None:
+        """Make both edits, where they leave each other alone and may be right together."""
+        first, second = sorted((one.edit, other.edit), key=lambda edit: edit.span)
+        if first.span[1] > second.span[0]:
+            return None
+        begin, end = first.span[0], second.span[1]
+        between = self.printed[first.span[1] : second.span[0]]
+        new = first.replacement(self.printed) + between + second.replacement(self.printed)
+        text = self.printed[:begin] + new + self.printed[end:]
+        try:
+            node = self.quick.read(text)
+            right = agree(evaluate(node, self.meaning), self.quick.target)
+        except (ShapeError, LatexError):
+            return None
+        if not right.all():
+            return None
+        kind = max(first.kind, second.kind)
+        description = f"{first.description}; {second.description}"
+        return node, Repair(kind, (begin, end), description, text)
 
 
-def _join(left: str, right: str) -> str:
-    tail = left.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")
-    is_command = tail != left and tail.endswith("\\")
-    return f"{left} {right}" if is_command and right[:1].isalpha() else left + right
+def _difference(old: tree.Node, new: tree.Node) -> tuple[Path, tree.Node]:
+    """Find the smallest part in which two trees differ: its place, and the new part."""
+    path: Path = ()
+    while _label(old) == _label(new):
+        pairs = zip(tree.children(old), tree.children(new), strict=True)
+        changed = [(k, one, other) for k, (one, other) in enumerate(pairs) if one != other]
+        if len(changed) != 1:
+            break
+        place, old, new = changed[0]
+        path = (*path, place)
+    return path, new
 
 
-def _ends_operand(tokens: Sequence[Token], place: int) -> bool:
-    """Whether the token before a sign ends a term, so that the sign stands between terms."""
-    if place == 0:
-        return False
-    before = tokens[place - 1]
-    return before.kind in OPERAND_ENDS or before.text in CLOSING
+def _label(node: tree.Node) -> tuple[object, ...]:
+    """What a node is without its children: its type, its own fields, how many children where."""
+    own: list[object] = [type(node)]
+    for item in fields(node):
+        value = getattr(node, item.name)
+        if isinstance(value, tuple) and item.name != "span":
+            own.append(tuple(len(row) if isinstance(row, tuple) else 1 for row in value))
+        elif not isinstance(value, tree.Node) and item.name != "span":
+            own.append(value)
+    return tuple(own)
 
 
-def _symbols(tokens: Sequence[Token]) -> Iterator[tuple[int, int]]:
-    """Yield the range of tokens of each symbol, with its accents and indices."""
-    place = 0
-    while place < len(tokens):
-        first = place
-        if tokens[place].kind in {"symbol", "accent", "font"}:
-            place = _after_atom(tokens, place + (tokens[place].kind != "symbol"))
-            while place < len(tokens) - 1 and tokens[place].text == "_":
-                place = _after_atom(tokens, place + 1)
-            yield first, place
-        else:
-            place += 1
-
-
-def _after_atom(tokens: Sequence[Token], place: int) -> int:
-    """Return the place after one token or one group in braces."""
-    depth = 0
-    for end in range(place, len(tokens)):
-        depth += (tokens[end].text == "{") - (tokens[end].text == "}")
-        if depth <= 0:
-            return end + 1
-    return len(tokens)
+def _are_apart(one: Path, other: Path) -> bool:
+    """Whether neither of two places lies in the other."""
+    shared = min(len(one), len(other))
+    return one[:shared] != other[:shared]

@@ -1,0 +1,252 @@
+"""Values of a printed tree in plain floating point, at several points at once.
+
+A repair tries thousands of edits, and nearly all of them are wrong. A float shows that in a
+microsecond, where SymPy takes milliseconds; so only what a float cannot tell from the truth goes to
+the exact test. Nothing here proves anything.
+
+Every value is an array of shape (..., points, rows, columns), a number having one row and one
+column; axes before the points hold alternatives and broadcast against one another. An equation
+counts as the number by which its sides differ.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache, reduce
+from itertools import pairwise
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+from sympy import Expr, MatrixBase, Symbol
+
+from omniproof.audit.balls import UnsupportedError, compile_balls, rational_ball
+from omniproof.audit.sampling import Sample, sample_points
+from omniproof.transcription import tree
+
+Values: TypeAlias = NDArray[np.float64]
+POINTS = 6
+TOLERANCE = 1e-8
+AXES = {"x": 0, "y": 1, "z": 2}
+
+
+class ShapeError(ValueError):
+    """The parts of a formula do not fit together, or it is none of numbers and vectors."""
+
+
+def agree(values: Values, target: Values) -> NDArray[np.bool_]:
+    """Whether values (..., points, n, m) equal the target wherever that is finite.
+
+    False throughout where the shapes differ or the target is not finite at any point.
+    """
+    if values.shape[-2:] != target.shape[-2:]:
+        return np.zeros(values.shape[:-3], dtype=bool)
+    known = np.isfinite(target).all(axis=(-2, -1))
+    size = 1 + np.abs(target)
+    near = (np.abs(values - target) <= TOLERANCE * size).all(axis=(-2, -1))
+    return np.asarray((near | ~known).all(axis=-1) & known.any())
+
+
+def at_points(value: Expr | MatrixBase) -> Values:
+    """Evaluate an expression or a matrix at the points of its symbols, the same for equal names.
+
+    Raises `UnsupportedError` for a function that balls do not know.
+    """
+    symbols = tuple(sorted(value.free_symbols, key=str))
+    rows, columns = value.shape if isinstance(value, MatrixBase) else (1, 1)
+    program = compile_balls(list(value) if isinstance(value, MatrixBase) else [value], symbols)
+    points = [[rational_ball(_coordinates(symbol)[k]) for symbol in symbols] for k in range(POINTS)]
+    found = [[_float(ball) for ball in program.run(point)] for point in points]
+    return np.array(found).reshape(POINTS, rows, columns)
+
+
+@cache
+def _coordinates(symbol: Symbol) -> tuple[Any, ...]:
+    """Rational values of one symbol at all points, other than those of any other symbol."""
+    seed = int.from_bytes(symbol.name.encode()) % 2**31
+    samples: Iterable[Sample] = sample_points([symbol], count=POINTS, seed=seed)
+    return tuple(sample[symbol] for sample in samples)
+
+
+def _float(ball: Any) -> float:
+    return float(ball.mid()) if ball.is_finite() else math.nan
+
+
+def evaluate(node: tree.Node, meaning: Callable[[str], Values]) -> Values:
+    """Evaluate a tree; `meaning` gives the values of a symbol by its canonical name.
+
+    Raises `ShapeError` for what is neither number nor vector nor matrix, or does not fit together.
+    """
+    if isinstance(node, tree.Name | tree.Applied):
+        return meaning(node.name)
+    return combine(node, [evaluate(part, meaning) for part in tree.children(node)])
+
+
+def combine(node: tree.Node, parts: Sequence[Values]) -> Values:
+    """Evaluate a node from the values of its children, in the order of `tree.children`."""
+    rule = _RULES.get(type(node))
+    if rule is None:
+        raise ShapeError(f"no number: {type(node).__name__}")
+    with np.errstate(all="ignore"):
+        return rule(node, parts)
+
+
+def _shape(value: Values) -> tuple[int, ...]:
+    return value.shape[-2:]
+
+
+def _number(value: Values) -> Values:
+    if _shape(value) != (1, 1):
+        raise ShapeError("expected a number")
+    return value
+
+
+def _column(value: Values) -> Values:
+    rows, columns = _shape(value)
+    if 1 not in (rows, columns) or rows == columns:
+        raise ShapeError("expected a vector")
+    return value if columns == 1 else value.swapaxes(-1, -2)
+
+
+def _plus(left: Values, right: Values) -> Values:
+    if _shape(left) != _shape(right):
+        raise ShapeError("cannot add")
+    return left + right
+
+
+def _times(left: Values, right: Values) -> Values:
+    if (1, 1) in (_shape(left), _shape(right)):
+        return left * right
+    if left.shape[-1] != right.shape[-2]:
+        raise ShapeError("cannot multiply")
+    return left @ right
+
+
+def _inner(left: Values, right: Values) -> Values:
+    left, right = _column(left), _column(right)
+    if _shape(left) != _shape(right):
+        raise ShapeError("no inner product")
+    return (left * right).sum(axis=-2, keepdims=True)
+
+
+def _dot(left: Values, right: Values) -> Values:
+    columns = all(_shape(value)[0] > 1 == _shape(value)[1] for value in (left, right))
+    return _inner(left, right) if columns else _times(left, right)
+
+
+def _cross(left: Values, right: Values) -> Values:
+    if not all(_shape(value) in {(2, 1), (3, 1)} for value in (left, right)):
+        return _times(left, right)
+    x, y, z = (part[..., None, None] for part in _components(left))
+    u, v, w = (part[..., None, None] for part in _components(right))
+    return _joined([y * w - z * v, z * u - x * w, x * v - y * u], -2)
+
+
+def _components(vector: Values) -> list[Values]:
+    entries = [vector[..., k, 0] for k in range(vector.shape[-2])]
+    return [*entries, np.zeros_like(entries[0])][:3]
+
+
+def _joined(parts: Sequence[Values], axis: int) -> Values:
+    """Put matrices beside (-1) or above (-2) one another."""
+    leading = np.broadcast_shapes(*(part.shape[:-2] for part in parts))
+    try:
+        return np.concatenate(
+            [np.broadcast_to(p, leading + p.shape[-2:]) for p in parts], axis=axis
+        )
+    except ValueError:
+        raise ShapeError("the parts of a matrix do not fit together") from None
+
+
+def _determinant(value: Values) -> Values:
+    if value.shape[-1] != value.shape[-2]:
+        raise ShapeError("expected a square matrix")
+    return np.linalg.det(value)[..., None, None]
+
+
+def _power(node: tree.Power, value: Values) -> Values:
+    if _shape(value) == (1, 1):
+        return value**node.exponent
+    _determinant(value)
+    try:
+        return np.linalg.matrix_power(value, node.exponent)
+    except np.linalg.LinAlgError:
+        return np.full_like(value, np.nan)
+
+
+def _tuple(node: tree.Tuple, parts: Sequence[Values]) -> Values:
+    if node.kind == "set":
+        raise ShapeError("a set is no vector")
+    return _joined(parts, -2 if all(_shape(part) == (1, 1) for part in parts) else -1)
+
+
+def _matrix(node: tree.MatrixLiteral, parts: Sequence[Values]) -> Values:
+    width = len(node.rows[0])
+    rows = [parts[start : start + width] for start in range(0, len(parts), width)]
+    return _joined([_joined(row, -1) for row in rows], -2)
+
+
+def _component(node: tree.Component, value: Values) -> Values:
+    column = _column(value)
+    place = AXES[node.axis] if node.axis in AXES else int(node.axis) - 1
+    if not 0 <= place < column.shape[-2]:
+        raise ShapeError("no such component")
+    return column[..., place : place + 1, :]
+
+
+def _norm(value: Values) -> Values:
+    return np.sqrt((value**2).sum(axis=(-2, -1), keepdims=True))
+
+
+def _call(node: tree.Call, parts: Sequence[Values]) -> Values:
+    if node.function == "det":
+        return _determinant(parts[0])
+    if node.function == "atan2":
+        pair = _column(parts[0])
+        return np.arctan2(pair[..., :1, :], pair[..., 1:, :])
+    return _FUNCTIONS[node.function](_number(parts[0]))
+
+
+def _chain(sides: Sequence[Values]) -> Values:
+    """An equation as the number by which its sides differ: 0 where it holds."""
+    gaps = [np.abs(_plus(left, -right)) for left, right in pairwise(sides)]
+    return sum(gap.sum(axis=(-2, -1), keepdims=True) for gap in gaps) + _constant(0)
+
+
+def _constant(value: float) -> Values:
+    return np.full((POINTS, 1, 1), value)
+
+
+_FUNCTIONS: dict[str, Callable[[Values], Values]] = {
+    "sin": np.sin, "cos": np.cos, "tan": np.tan, "cot": lambda x: 1 / np.tan(x),
+    "sec": lambda x: 1 / np.cos(x), "csc": lambda x: 1 / np.sin(x), "arcsin": np.arcsin,
+    "arccos": np.arccos, "arctan": np.arctan, "sqrt": np.sqrt,
+}  # fmt: skip
+
+_RULES: dict[type[tree.Node], Callable[[Any, Sequence[Values]], Values]] = {
+    tree.Number: lambda node, parts: _constant(float(node.text)),
+    tree.Degrees: lambda node, parts: _constant(math.radians(float(node.value))),
+    tree.Pi: lambda node, parts: _constant(math.pi),
+    tree.Chain: lambda node, parts: _chain(parts),
+    tree.Negative: lambda node, parts: -parts[0],
+    tree.Sum: lambda node, parts: reduce(_plus, parts),
+    tree.Product: lambda node, parts: reduce(_times, parts),
+    tree.Dot: lambda node, parts: _dot(*parts),
+    tree.Cross: lambda node, parts: _cross(*parts),
+    tree.Quotient: lambda node, parts: parts[0] / _number(parts[1]),
+    tree.Power: lambda node, parts: _power(node, parts[0]),
+    tree.Transpose: lambda node, parts: (
+        parts[0] if isinstance(node.operand, tree.Tuple) else parts[0].swapaxes(-1, -2)
+    ),
+    tree.Call: _call,
+    tree.Inner: lambda node, parts: _inner(*parts),
+    tree.Norm: lambda node, parts: _norm(parts[0]),
+    tree.Absolute: lambda node, parts: np.abs(_number(parts[0])),
+    tree.Determinant: lambda node, parts: _determinant(_joined([_column(p) for p in parts], -1)),
+    tree.Component: lambda node, parts: _component(node, parts[0]),
+    tree.Tuple: _tuple,
+    tree.MatrixLiteral: _matrix,
+}
+
+__all__ = ["ShapeError", "UnsupportedError", "Values", "agree", "at_points", "combine", "evaluate"]
