@@ -10,7 +10,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 # Modules that are compiled anew in every process cost more than most steps.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test lock clean help
+.PHONY: build test bench lock clean help
 
 build: $(VENV)/ready
 	@snakemake
@@ -23,6 +23,9 @@ test: $(VENV)/ready-to-test
 	@mypy
 	@snakemake --lint
 	@pytest --numprocesses auto --dist loadfile
+
+bench: $(VENV)/ready-to-test
+	@python tests/corpus/bench.py results/benchmarks
 
 lock: $(VENV)/ready
 	@for name in requirements-setup requirements requirements-test; do \
@@ -37,6 +40,7 @@ clean:
 help:
 	@echo "make        set up .venv if needed, then build results and report"
 	@echo "make test   lint, types and tests"
+	@echo "make bench  compare the engine with other systems, to results/benchmarks (minutes)"
 	@echo "make lock   resolve requirements*.in anew into requirements*.lock"
 	@echo "make clean  remove what was built (.venv stays)"
 

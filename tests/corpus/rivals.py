@@ -1,0 +1,92 @@
+"""The systems that are compared, each asked one question in a process of its own, with a time-out.
+
+A fresh fork for each question: nobody profits from what another row left in a cache, and a system
+that hangs is stopped. All start from the same two SymPy expressions. `warm_up` asks all of them
+something easy first, so that imports are not counted.
+A system that only rewrites says `equal` when the difference becomes 0, and `different` when it does
+not, although that proves nothing: counted in its favour where the record is false.
+"""
+
+from __future__ import annotations
+
+import multiprocessing
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from multiprocessing.connection import Connection
+from typing import Any
+
+import symengine
+import sympy as sp
+from questions import Question, decision, verdict
+
+from omniproof.audit.answer import Domain
+
+TIME_OUT = 5.0
+"""Seconds for one row; a row that takes longer counts with this time, which flatters the system."""
+
+
+@dataclass(frozen=True)
+class Timed:
+    """What a system said, and the seconds that it took."""
+
+    said: str
+    seconds: float
+
+
+def _rewriting(is_zero: Callable[[sp.Expr, sp.Expr], Any]) -> Callable[[Question], str]:
+    def answer(question: Question) -> str:
+        said = [is_zero(left, right) for left, right in question.pairs]
+        if all(said):
+            return "proved"
+        return "undecided" if None in said and False not in said else "refuted"
+
+    return answer
+
+
+def _symengine(left: sp.Expr, right: sp.Expr) -> bool:
+    return bool(symengine.expand(symengine.sympify(left) - symengine.sympify(right)) == 0)
+
+
+SYSTEMS: dict[str, Callable[[Question], str]] = {
+    "flint": lambda question: verdict(question, decision(question)),
+    "confirmed": lambda question: verdict(question, decision(question, confirmed=True)),
+    "simplify": _rewriting(lambda left, right: bool(sp.simplify(left - right) == 0)),
+    "trigsimp": _rewriting(lambda left, right: bool(sp.trigsimp(left - right) == 0)),
+    "equals": _rewriting(lambda left, right: left.equals(right)),
+    "symengine": _rewriting(_symengine),
+}
+"""By the name of the column; the first two are ours."""
+OURS = ("flint", "confirmed")
+
+
+def warm_up() -> None:
+    """Ask every system something easy: what is imported on the way is there for all forks."""
+    angle = sp.Symbol("angle", real=True)
+    for answer in SYSTEMS.values():
+        answer(Question(((sp.sin(angle) ** 2 + sp.cos(angle) ** 2, sp.S.One),), "=", Domain(), ()))
+
+
+def timed(system: str, question: Question, time_out: float = TIME_OUT) -> Timed:
+    """Ask one system one question; says `time-out` or `error` where there is no answer."""
+    context = multiprocessing.get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    process = context.Process(target=_ask, args=(sender, system, question))
+    process.start()
+    sender.close()
+    try:
+        return receiver.recv() if receiver.poll(time_out) else Timed("time-out", time_out)
+    except EOFError:
+        return Timed("error", time_out)
+    finally:
+        process.kill()
+        process.join()
+
+
+def _ask(sender: Connection, system: str, question: Question) -> None:
+    start = time.perf_counter()
+    try:
+        said = SYSTEMS[system](question)
+    except Exception as error:
+        said = f"error: {type(error).__name__}"
+    sender.send(Timed(said, time.perf_counter() - start))
