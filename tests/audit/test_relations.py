@@ -9,7 +9,7 @@ from sympy import Abs, And, Integer, Or, Rational, Symbol, cos, pi, sin, sqrt, s
 
 from omniproof.audit.answer import OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.relations import equivalent, instance, judge, merge
-from omniproof.registry import Family, Obligation
+from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
 x, y, t = symbols("x y t", real=True)
@@ -59,6 +59,14 @@ STATEMENTS = [
           at=((2 * pi / 3,),)),
     true("concave", Family(sin(t), HALF), "-sin t is negative on 0 ... pi"),
     false("concave", Family(t**2, HALF), "the second derivative is 2"),
+    true("line", Curve((t, 2 * t), TURN), "y = 2x"),
+    false("line", Curve((t, t**2), TURN), "a parabola"),
+    true("circle", Curve((cos(t), sin(t)), TURN), "by definition"),
+    false("circle", Curve((cos(t), 2 * sin(t)), TURN), "an ellipse"),
+    true("ellipse", Curve((cos(t), 2 * sin(t)), TURN), "by definition"),
+    false("ellipse", Curve((t, t**2), TURN), "a parabola"),
+    true("chain", Ordered((sin(t), t), HALF), "sin t < t"),
+    false("chain", Ordered((t, sin(t)), HALF), "t > sin t"),
 ]  # fmt: skip
 
 

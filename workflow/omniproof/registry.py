@@ -32,8 +32,25 @@ class Family:
     box: Mapping[Symbol, tuple[Expr, Expr]]
 
 
+@dataclass(frozen=True)
+class Curve:
+    """Two or three coordinates over the box of one parameter; other symbols are constants."""
+
+    coordinates: tuple[Expr, ...]
+    box: Mapping[Symbol, tuple[Expr, Expr]]
+
+
+@dataclass(frozen=True)
+class Ordered:
+    """Expressions over a box, of which each is to be less than the next one."""
+
+    terms: tuple[Expr, ...]
+    box: Mapping[Symbol, tuple[Expr, Expr]]
+
+
 Subject: TypeAlias = Any
-"""What a `Form` is judged on: a `Family`, a sequence of expressions, named values, a condition."""
+"""What a `Form` is judged on: a `Family`, a `Curve`, `Ordered` expressions, a sequence of
+expressions, named values, a condition."""
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from omniproof.audit import ordering
 from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.registry import Family, Obligation
+from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
 _SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}
@@ -33,6 +33,10 @@ def judge(obligation: Obligation) -> Answer:
     form, subject = obligation.form, obligation.subject
     if isinstance(subject, Family):
         return _judge_family(form, subject, obligation.at)
+    if isinstance(subject, Curve):
+        return _judge_curve(form, subject)
+    if isinstance(subject, Ordered) and form is Form.CHAIN:
+        return _chain(subject)
     if isinstance(subject, Mapping):
         return _judge_member(form, subject, str(obligation.member))
     if isinstance(subject, Sequence):
@@ -69,6 +73,25 @@ def _judge_family(form: Form, family: Family, at: tuple[tuple[Expr, ...], ...]) 
         case Form.CONCAVE:
             return extrema.concave(family)
     return Undecided(f"the form {form} is not judged on a family")
+
+
+def _judge_curve(form: Form, curve: Curve) -> Answer:
+    from omniproof.audit import shapes
+
+    judges = {
+        Form.LINE: shapes.is_line,
+        Form.CIRCLE: shapes.is_circle,
+        Form.ELLIPSE: shapes.is_ellipse,
+    }
+    if form not in judges:
+        return Undecided(f"the form {form} is not judged on a curve")
+    return judges[form](curve)
+
+
+def _chain(chain: Ordered) -> Answer:
+    from omniproof.audit.chains import holds
+
+    return holds(chain)
 
 
 def _judge_member(form: Form, values: Mapping[str, Expr], member: str) -> Answer:

@@ -45,11 +45,12 @@ def start(claim: Claim, context: Context, row_id: str = "") -> Row:
 def _fields(answer: Answer, context: Context) -> dict[str, Any]:
     """Verdict, witness, condition and engines of an answer, as an update of a row."""
     match answer:
-        case Proved(engines):
-            return {"verdict": Verdict.VERIFIED, "engines": "+".join(engines)}
-        case Refuted(engines, witness):
+        case Proved(engines, note):
+            return {"verdict": Verdict.VERIFIED, "engines": "+".join(engines), "note": note}
+        case Refuted(engines, witness, note):
             return {
                 "verdict": Verdict.ERRATUM,
+                "note": note,
                 "witness": str(witness),
                 "engines": "+".join(engines),
             }

@@ -98,6 +98,10 @@ class Form(StrEnum):
     CONCAVE = "concave"  # derivation: a family of one variable
     EQUIVALENT = "equivalent"  # derivation: a condition; the printed one holds in the same cases
     INSTANCE = "instance"  # derivation: a family of angles; the printed ones are a member of it
+    LINE = "line"  # derivation: a curve; it lies on one
+    CIRCLE = "circle"
+    ELLIPSE = "ellipse"
+    CHAIN = "chain"  # derivation: ordered expressions on a box; each is less than the next
 
 
 class Asserts(Record):

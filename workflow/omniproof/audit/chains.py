@@ -1,0 +1,97 @@
+"""Inequality chains a < b < c on a box: the sign of each difference, and the set where one fails.
+
+With one variable the sets where the links hold are known exactly; the chain holds in what they have
+in common, and fails in the rest of the box, points at which a term is not defined apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import pairwise
+from typing import Any
+
+import sympy as sp
+
+from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.exact import subtract
+from omniproof.audit.intervals import Piece, condition_latex, in_degrees
+from omniproof.audit.quotient import OnBox
+from omniproof.audit.signs import sign_on
+from omniproof.registry import Ordered
+
+ENGINE = ("flint",)
+
+
+def holds(chain: Ordered) -> Answer:
+    """Decide whether each term is less than the next one at every point of the box.
+
+    With one variable, a chain that holds in parts is `OnBranch` with the exact set; the note gives
+    the set where it fails. Never raises for a chain: what is not decided is `Undecided`.
+    """
+    if len(chain.terms) < 2:
+        return Undecided("one term is compared with nothing")
+    links = [
+        (sign_on(OnBox(subtract(right, left), chain.box), 1), left, right)
+        for left, right in pairwise(chain.terms)
+    ]
+    if all(isinstance(answer, Proved) for answer, _, _ in links):
+        return Proved(ENGINE)
+    for answer, left, right in links:
+        if isinstance(answer, Refuted):
+            where = "never" if len(chain.box) == 1 else "not always"
+            told = f"${sp.latex(left)} < {sp.latex(right)}$ holds {where}"
+            return Refuted(ENGINE, answer.witness, told)
+    for answer, _, _ in links:
+        if isinstance(answer, Undecided):
+            return answer
+    return _in_parts([answer for answer, _, _ in links if isinstance(answer, OnBranch)], chain)
+
+
+def _in_parts(answers: list[OnBranch], chain: Ordered) -> Answer:
+    ((symbol, (lower, upper)),) = chain.box.items()
+    kept = sp.Intersection(*(answer.relations[0].as_set() for answer in answers))
+    if kept is sp.S.EmptySet:
+        return Refuted(ENGINE, answers[0].witness, "its links hold nowhere together")
+    poles = [end for end in _ends(kept) if not _defined(chain.terms, symbol, end)]
+    lost = sp.Interval.open(lower, upper) - kept - sp.FiniteSet(*poles)
+    pieces = tuple(_pieces(kept))
+    note = f"it fails for {_written(symbol, lost)}"
+    condition = condition_latex(symbol, pieces)
+    relation = sp.Or(*(piece.relation(symbol) for piece in pieces))
+    return OnBranch(ENGINE, condition, answers[0].witness, note, (relation,))
+
+
+def _parts(numbers: sp.Set) -> tuple[sp.Set, ...]:
+    """Intervals and single points of a set, from the left."""
+    parts = numbers.args if isinstance(numbers, sp.Union) else (numbers,)
+    return tuple(sorted(parts, key=lambda part: part.inf))
+
+
+def _pieces(numbers: sp.Set) -> Iterator[Piece]:
+    for part in _parts(numbers):
+        if isinstance(part, sp.Interval):
+            yield Piece(part.start, part.end, not part.left_open, not part.right_open)
+
+
+def _ends(numbers: sp.Set) -> Iterable[Any]:
+    return (end for piece in _pieces(numbers) for end in (piece.lower, piece.upper))
+
+
+def _written(symbol: sp.Symbol, numbers: sp.Set) -> str:
+    """Write a set as LaTeX, and in degrees where the ends are multiples of pi."""
+    texts, degrees = [], []
+    for part in _parts(numbers):
+        if isinstance(part, sp.FiniteSet):
+            texts += [f"${sp.latex(symbol)} = {sp.latex(point)}$" for point in part]
+            ends = [in_degrees(symbol, [Piece(point, point)]) for point in part]
+            degrees += [end and f"{symbol} = {end.rpartition(' ')[2]}" for end in ends]
+    pieces = tuple(_pieces(numbers))
+    texts[:0] = [f"${condition_latex(symbol, [piece])}$" for piece in pieces]
+    degrees[:0] = [in_degrees(symbol, [piece]) for piece in pieces]
+    text = " or ".join(texts)
+    return f"{text} ({' or '.join(degrees)})" if all(degrees) else text
+
+
+def _defined(terms: Iterable[sp.Expr], symbol: sp.Symbol, point: Any) -> bool:
+    values = (term.subs(symbol, point) for term in terms)
+    return not any(value.has(sp.nan, sp.zoo, sp.oo, -sp.oo) for value in values)
