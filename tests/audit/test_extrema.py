@@ -114,6 +114,39 @@ def test_signs_are_proved(function, box, sign):
 
 
 @pytest.mark.parametrize(
+    ("function", "box"),
+    [
+        pytest.param(1 - cos(t), {t: (-1, 1)}, id="touching zero"),
+        pytest.param(t**2 * (t - 2) ** 2, {t: (-1, 3)}, id="two touching zeros"),
+        pytest.param(1 + t**2, {t: (-1, 1)}, id="no zero"),
+    ],
+)
+def test_a_function_that_touches_zero_has_its_sign_or_vanishes(function, box):
+    assert isinstance(sign_on(Family(function, box), 1, zero=True), Proved)
+    assert not isinstance(sign_on(Family(function, box), -1, zero=True), Proved)
+
+
+@pytest.mark.parametrize(
+    ("function", "box", "condition", "degrees"),
+    [
+        pytest.param(
+            t**2 * (t - 1), {t: (-2, 2)}, r"t = 0 \text{ or } 1 \leq t < 2", "", id="both"
+        ),
+        pytest.param(-(t**2), {t: (-1, 1)}, "t = 0", "t = 0°", id="one point"),
+        pytest.param(
+            t / (t - 1), {t: (-1, 2)}, r"-1 < t \leq 0 \text{ or } 1 < t < 2", "", id="pole"
+        ),
+        pytest.param(cos(t) - 1, {t: (0, 7)}, r"t = 2 \pi", "t = 360°", id="degrees"),
+    ],
+)
+def test_the_set_where_a_function_is_not_negative(function, box, condition, degrees):
+    found = sign_on(Family(function, box), 1, zero=True)
+    assert isinstance(found, OnBranch)
+    assert (found.condition, found.note) == (condition, degrees)
+    assert function.subs(t, sp.sympify(found.witness.point["t"])) < 0
+
+
+@pytest.mark.parametrize(
     ("function", "box", "condition", "degrees"),
     [
         pytest.param(sin(t), {t: (0, 2 * pi)}, r"0 < t < \pi", "0° < t < 180°", id="half circle"),

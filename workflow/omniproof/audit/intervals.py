@@ -14,7 +14,7 @@ from omniproof.audit.sign_chart import Chart
 
 @dataclass(frozen=True)
 class Piece:
-    """An interval; an end that belongs to it is closed."""
+    """An interval; an end that belongs to it is closed. One point is an interval, too."""
 
     lower: Any
     upper: Any
@@ -28,7 +28,9 @@ class Piece:
         return sp.And(left(self.lower, symbol), right(symbol, self.upper))
 
     def show(self, name: str, end: Callable[[Any], str], less: str, at_most: str) -> str:
-        """Write `lower < name < upper` with the given spellings."""
+        """Write `lower < name < upper` with the given spellings; `name = end` for one point."""
+        if self.lower == self.upper:
+            return f"{name} = {end(self.lower)}"
         left = at_most if self.lower_closed else less
         right = at_most if self.upper_closed else less
         return f"{end(self.lower)} {left} {name} {right} {end(self.upper)}"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import sympy as sp
@@ -20,13 +21,13 @@ ENGINE = ("flint",)
 CLAIM = {1: "> 0", -1: "< 0"}
 
 
-def sign_on(family: Family, wanted: int) -> Answer:
+def sign_on(family: Family, wanted: int, *, zero: bool = False) -> Answer:
     """Decide whether a function is positive (1) or negative (-1) wherever it is defined.
 
-    With one variable, a sign that holds in parts is `OnBranch` with the exact set. Never raises for
-    a family: what is not decided is `Undecided`.
+    With `zero`, it may also vanish. With one variable, a sign that holds in parts is `OnBranch`
+    with the exact set. Never raises for a family: what is not decided is `Undecided`.
     """
-    return guarded(lambda: _sign_of(Quotient.of(family), wanted))
+    return guarded(lambda: _sign_of(Quotient.of(family), wanted, zero))
 
 
 def concave(family: Family) -> Answer:
@@ -55,9 +56,9 @@ def denominator_sign(function: Quotient) -> int:
     raise UnsupportedError("no constant sign of a denominator was proved")
 
 
-def _sign_of(function: Quotient, wanted: int) -> Answer:
+def _sign_of(function: Quotient, wanted: int, zero: bool) -> Answer:
     if len(function.box.symbols) == 1:
-        return _sign_on_line(function, wanted)
+        return _sign_on_line(function, wanted, zero)
     wrong = function.find(function.value, -wanted)
     if wrong is not None:
         witness = Witness(function.name(wrong), CLAIM[wanted], function.digits(wrong))
@@ -86,15 +87,22 @@ def _sign_of_factor(factor: sp.Expr, box: Box) -> int:
     raise UnsupportedError(f"no constant sign of {factor} was proved")
 
 
-def _sign_on_line(function: Quotient, wanted: int) -> Answer:
+def _sign_on_line(function: Quotient, wanted: int, zero: bool) -> Answer:
     chart = _chart(function)
-    holes = [point for point in chart.points[1:-1] if not function.is_pole((point,))]
+    zeros = [point for point in chart.points[1:-1] if not function.is_pole((point,))]
+    holes = [] if zero else zeros
     wrong = _point_of_sign(function.box, chart, -wanted) or (holes and (holes[0],))
     if not wrong:
         return Proved(ENGINE)
     shown = function.digits(wrong) if wrong[0] not in holes else "0"
     witness = Witness(function.name(wrong), CLAIM[wanted], shown)
-    return _on_pieces(function.asked[0], pieces_of(chart, wanted, lambda _: False), witness)
+    pieces = pieces_of(chart, wanted, lambda point: zero and point in zeros)
+    if zero:
+        alone = [p for p, own in zip(chart.points[1:-1], pairwise(chart.signs), strict=True)
+                 if p in zeros and wanted not in own]  # fmt: skip
+        points = (Piece(point, point, True, True) for point in alone)
+        pieces = tuple(sorted((*pieces, *points), key=lambda each: chart.points.index(each.lower)))
+    return _on_pieces(function.asked[0], pieces, witness)
 
 
 def _concave(family: Family) -> Answer:
