@@ -251,6 +251,35 @@ def test_huge_powers_are_refused() -> None:
         evaluate(read("((9^{99999})^{99999})^{99999}"), {})
     with pytest.raises(LatexError, match="expected a power of a matrix up to 8"):
         evaluate(read("M^{9}"), MEANINGS)
+    with pytest.raises(LatexError, match="expected a number with at most 1000 digits"):
+        evaluate(read("9" * 5_000), {})
+
+
+def symbolic_matrix(size: int) -> tuple[str, dict[str, Symbol]]:
+    names = [[f"a_{{{i}{k}}}" for k in range(size)] for i in range(size)]
+    text = r"\\".join(" & ".join(row) for row in names)
+    meanings = {name: Symbol(name, real=True) for row in names for name in row}
+    return rf"\begin{{pmatrix}}{text}\end{{pmatrix}}", meanings
+
+
+def test_determinants_of_symbols_have_the_permutations_as_terms() -> None:
+    text, meanings = symbolic_matrix(6)
+    determinant = evaluate(read(rf"\det {text}"), meanings).expand()
+    assert len(determinant.args) == 720
+    identity = {s: int(s.name[3] == s.name[4]) for s in determinant.free_symbols}
+    assert determinant.subs(identity) == 1
+
+
+def test_larger_determinants_of_symbols_are_refused() -> None:
+    text, meanings = symbolic_matrix(7)
+    with pytest.raises(LatexError, match="expected a determinant with at most 6 rows"):
+        evaluate(read(rf"\det {text}"), meanings)
+
+
+@pytest.mark.parametrize("power", [0, 1, 2, 3, -1, -2])
+def test_powers_of_a_matrix(power: int) -> None:
+    matrix = ImmutableMatrix([[2, 1], [1, 1]])
+    assert evaluate(read(f"N^{{{power}}}"), {"N": matrix}) == matrix**power
 
 
 def test_without_the_source_a_message_shows_the_part() -> None:

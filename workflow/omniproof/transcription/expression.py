@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import reduce
 from itertools import pairwise
+from operator import add, mul
 from typing import Any, NoReturn, TypeAlias
 
 import sympy
@@ -33,6 +34,9 @@ AXES = {"x": 0, "y": 1, "z": 2}
 MAX_BITS = 40_000
 """Powers of numbers beyond this size are refused, and so are high powers of matrices."""
 MAX_MATRIX_POWER = 8
+MAX_DIGITS = 1_000
+MAX_ROWS = 6
+"""Larger determinants with symbols are refused: n! terms."""
 COMPARE: dict[str, Callable[..., Any]] = {
     "<": sympy.Lt, ">": sympy.Gt, "\\leq": sympy.Le, "\\geq": sympy.Ge, "\\neq": sympy.Ne,
 }  # fmt: skip
@@ -121,7 +125,7 @@ def _name(scope: _Scope, node: tree.Name | tree.Applied) -> Value:
     if name in scope.meanings:
         return scope.meanings[name]
     if name.removeprefix("\\det ") in scope.meanings:
-        return scope.square(tree.Name(name.removeprefix("\\det "), span=node.span)).det()
+        return _det(scope, node, scope.square(tree.Name(name[5:], span=node.span)))
     near = get_close_matches(name, list(scope.meanings), n=1)
     cure = f"did you mean `{near[0]}`?" if near else "declare it among the symbols of the paper"
     return scope.refuse(node, f"unknown symbol `{name}`", cure)
@@ -138,13 +142,11 @@ def _applied(scope: _Scope, node: tree.Applied) -> Value:
 
 
 def _sum(scope: _Scope, node: tree.Sum) -> Value:
-    total = scope.value(node.terms[0])
-    for term in node.terms[1:]:
-        value = scope.value(term)
-        if getattr(total, "shape", ()) != getattr(value, "shape", ()):
-            scope.refuse(node, f"cannot add {_kind(value)} to {_kind(total)}")
-        total = total + value
-    return total
+    values = [scope.value(term) for term in node.terms]
+    for value in values[1:]:
+        if getattr(values[0], "shape", ()) != getattr(value, "shape", ()):
+            scope.refuse(node, f"cannot add {_kind(value)} to {_kind(values[0])}")
+    return sympy.Add(*values) if _is_scalar(values[0]) else reduce(add, values)
 
 
 def _times(scope: _Scope, node: tree.Node, left: Value, right: Value) -> Value:
@@ -207,6 +209,12 @@ def _quotient(scope: _Scope, node: tree.Quotient) -> Value:
     return _times(scope, node, above, 1 / below)
 
 
+def _rational(scope: _Scope, node: tree.Node, text: str) -> Rational:
+    if len(text) > MAX_DIGITS:
+        scope.refuse(node, f"expected a number with at most {MAX_DIGITS} digits")
+    return Rational(text)
+
+
 def _power(scope: _Scope, node: tree.Power) -> Value:
     base, size = scope.value(node.base), abs(node.exponent)
     if _is_scalar(base):
@@ -218,12 +226,14 @@ def _power(scope: _Scope, node: tree.Power) -> Value:
     base = scope.square(node.base)
     if size > MAX_MATRIX_POWER:
         scope.refuse(node, f"expected a power of a matrix up to {MAX_MATRIX_POWER}")
-    if node.exponent >= 0:
-        return base**node.exponent
-    determinant = base.det()
+    if node.exponent == 0:
+        return ImmutableMatrix.eye(base.shape[0])
+    if node.exponent > 0:
+        return reduce(mul, [base] * size)
+    determinant = _det(scope, node, base)
     if determinant == 0:
         scope.refuse(node, "cannot invert a singular matrix")
-    return (base.adjugate() / determinant) ** -node.exponent
+    return reduce(mul, [base.adjugate() / determinant] * size)
 
 
 def _transpose(scope: _Scope, node: tree.Transpose) -> Value:
@@ -236,7 +246,7 @@ def _transpose(scope: _Scope, node: tree.Transpose) -> Value:
 
 def _call(scope: _Scope, node: tree.Call) -> Value:
     if node.function == "det":
-        return scope.square(node.argument).det()
+        return _det(scope, node, scope.square(node.argument))
     if node.function == "atan2":
         if not isinstance(node.argument, tree.Tuple) or len(node.argument.items) != 2:
             scope.refuse(node, "expected two arguments of `atan2`")
@@ -255,7 +265,16 @@ def _determinant(scope: _Scope, node: tree.Determinant) -> Value:
     columns = [scope.vector(column) for column in node.columns]
     if {column.shape[0] for column in columns} != {len(columns)}:
         scope.refuse(node, f"expected {len(columns)} vectors of {len(columns)}")
-    return ImmutableMatrix.hstack(*columns).det()
+    return _det(scope, node, ImmutableMatrix.hstack(*columns))
+
+
+def _det(scope: _Scope, node: tree.Node, matrix: MatrixBase) -> Expr:
+    """Expand a determinant by minors; elimination would simplify each of its quotients."""
+    if not matrix.free_symbols:
+        return matrix.det()
+    if matrix.shape[0] > MAX_ROWS:
+        scope.refuse(node, f"expected a determinant with at most {MAX_ROWS} rows")
+    return matrix.det(method="laplace")
 
 
 def _component(scope: _Scope, node: tree.Component) -> Value:
@@ -321,8 +340,8 @@ def _cases(scope: _Scope, node: tree.Cases) -> Value:
 
 
 _RULES: dict[type[tree.Node], Callable[[_Scope, Any], Value]] = {
-    tree.Number: lambda scope, node: Rational(node.text),
-    tree.Degrees: lambda scope, node: Rational(node.value) * sympy.pi / 180,
+    tree.Number: lambda scope, node: _rational(scope, node, node.text),
+    tree.Degrees: lambda scope, node: _rational(scope, node, node.value) * sympy.pi / 180,
     tree.Pi: lambda scope, node: sympy.pi,
     tree.Name: _name,
     tree.Applied: _applied,

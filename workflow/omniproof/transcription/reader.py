@@ -9,12 +9,11 @@ unless the paper's `Notation` settles it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from typing import Literal
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Literal, Protocol
 
 from omniproof.transcription.atoms import AtomReader
-from omniproof.transcription.model import Notation
 from omniproof.transcription.symbols import END, TRANSPOSE, symbol_name
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import (
@@ -37,16 +36,36 @@ from omniproof.transcription.tree import (
     Transpose,
 )
 
-__all__ = ["LatexError", "Names", "read", "read_with", "symbol_name"]
+__all__ = ["Conventions", "LatexError", "Names", "Writing", "read", "read_with", "symbol_name"]
 
 COMPARISONS = frozenset({"<", ">", "\\leq", "\\geq", "\\neq"})
 RELATIONS = COMPARISONS | {"="}
 AXES = frozenset("xyz123456789")
 
 
+class Writing(Protocol):
+    """Conventions of writing: those of a paper (`model.Notation`), or of one formula."""
+
+    @property
+    def functions(self) -> Mapping[str, str]:
+        """Functions by the letter that is short for them: c for cos."""
+
+    @property
+    def slash(self) -> str | None:
+        """What `1/3L` divides by: the `first` factor or `all`; unknown if None."""
+
+
+@dataclass(frozen=True)
+class Conventions:
+    """The conventions of one formula."""
+
+    functions: Mapping[str, str] = field(default_factory=dict)
+    slash: str | None = None
+
+
 def read(
     text: str,
-    notation: Notation | None = None,
+    notation: Writing | None = None,
     symbols: Sequence[str] = (),
     quantities: Sequence[str] = (),
 ) -> Node:
@@ -58,7 +77,7 @@ def read(
     """
     applied = frozenset(symbol_name(latex) for latex in quantities)
     declared = applied.union(symbol_name(latex) for latex in symbols)
-    return read_with(text, notation or Notation(), Names(declared, applied))
+    return read_with(text, notation or Conventions(), Names(declared, applied))
 
 
 @dataclass(frozen=True)
@@ -69,7 +88,7 @@ class Names:
     quantities: frozenset[str] = frozenset()
 
 
-def read_with(text: str, notation: Notation, names: Names) -> Node:
+def read_with(text: str, notation: Writing, names: Names) -> Node:
     """Read a formula as `read` does, for symbols that are canonical already."""
     return Reader(text, names, notation).document()
 
@@ -77,7 +96,7 @@ def read_with(text: str, notation: Notation, names: Names) -> Node:
 class Reader(AtomReader):
     """Sums, products, powers and statements."""
 
-    def __init__(self, source: str, names: Names, notation: Notation) -> None:
+    def __init__(self, source: str, names: Names, notation: Writing) -> None:
         super().__init__(source, names.declared, names.quantities, notation.functions)
         self.slash = notation.slash
         self.bare = -1  # where the last function argument without brackets ended
