@@ -41,6 +41,11 @@ class Question:
         """Whether the sides are to be equal."""
         return self.relation == "="
 
+    @property
+    def is_settled(self) -> bool:
+        """Whether all sides are alike as soon as SymPy has built them: nothing to decide."""
+        return self.is_equation and all(left - right == 0 for left, right in self.pairs)
+
 
 def ask(record: Record) -> Question:
     """Read and evaluate a record."""

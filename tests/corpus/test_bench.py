@@ -2,6 +2,7 @@
 
 import csv
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import bench
@@ -47,6 +48,7 @@ def test_ratios_count_rows_that_both_decide_rightly() -> None:
         row("both-again", "refuted", ("refuted", 3.0), ("refuted", 6.0)),
         row("wrong", "branch", ("branch", 1.0), ("refuted", 50.0)),
         row("late", "proved", ("proved", 1.0), ("time-out", 50.0)),
+        replace(row("alike", "proved", ("proved", 1.0), ("proved", 50.0)), settled=True),
     ]
     found = compare(rows, "flint", "simplify")
     assert (found.rows, found.median, found.total) == (2, 3.0, 2.5)
