@@ -10,7 +10,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 # Modules that are compiled anew in every process cost more than most steps.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: build test bench lock clean help
+.PHONY: build test test-slow bench lock clean help
 
 build: $(VENV)/ready
 	@snakemake
@@ -27,6 +27,9 @@ test: $(VENV)/ready-to-test
 bench: $(VENV)/ready-to-test
 	@python tests/corpus/bench.py results/benchmarks
 
+test-slow: $(VENV)/ready-to-test
+	@pytest --numprocesses auto -m slow
+
 lock: $(VENV)/ready
 	@for name in requirements-setup requirements requirements-test; do \
 	    echo "$$name.lock"; \
@@ -41,6 +44,7 @@ help:
 	@echo "make        set up .venv if needed, then build results and report"
 	@echo "make test   lint, types and tests"
 	@echo "make bench  compare the engine with other systems, to results/benchmarks (minutes)"
+	@echo "make test-slow  the long studies: all planted misprints, long fuzzing (minutes)"
 	@echo "make lock   resolve requirements*.in anew into requirements*.lock"
 	@echo "make clean  remove what was built (.venv stays)"
 

@@ -14,6 +14,7 @@ min_version("9.0")
 # Reads and checks workflow/config.yaml.
 include: "workflow/rules/common.smk"
 include: "workflow/rules/audit.smk"
+include: "workflow/rules/mutation.smk"
 include: "workflow/rules/tables.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/notebooks.smk"
@@ -26,6 +27,7 @@ rule all:
     input:
         ledger="results/ledger.csv",
         theorems="results/theorems.json",
+        mutation="results/mutation.json",
         tables=expand("{table}", table=tables_of(*settings.papers)),
         figures=figures_of(*settings.papers),
         chapters=expand("results/notebooks/{chapter}.ipynb", chapter=settings.chapters),

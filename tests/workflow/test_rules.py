@@ -8,7 +8,7 @@ import pytest
 
 from omniproof.sources import sources
 
-RULE_FILES = ["audit.smk", "tables.smk", "figures.smk", "notebooks.smk", "book.smk"]
+RULE_FILES = ["audit.smk", "mutation.smk", "tables.smk", "figures.smk", "notebooks.smk", "book.smk"]
 ORDER = [
     "name",
     "default_target",
@@ -115,6 +115,7 @@ def test_what_a_script_imports_is_an_input(jobs, root):
     ("rule", "module"),
     [
         ("audit", "derivations"),
+        ("mutation", "derivations"),
         ("theorems", "theorems"),
         ("figures_omni_arrangement", "figures"),
     ],
@@ -147,4 +148,4 @@ def test_derivations_belong_to_their_paper(jobs):
     for job in jobs:
         papers = {Path(file).parts[3] for file in files(job, "input") if "/papers/omni_" in file}
         named = re.search(r"omni[_-]arrangement", f"{job['rule']} {files(job, 'output')}")
-        assert not papers or named or job["rule"] == "theorems"
+        assert not papers or named or job["rule"] in {"theorems", "mutation"}

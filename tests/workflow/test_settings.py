@@ -63,8 +63,17 @@ def test_command_line_comes_first(folder):
             "config.yaml:1:1: chapters: expected this key, found none\n"
             "    add it\n"
             "config.yaml:5:1: zzz: expected a known key, found another\n"
-            "    known: chapters, papers",
+            "    known: chapters, mutation, papers",
             id="missing and unknown key",
+        ),
+        pytest.param(
+            "chapters:",
+            "mutation:\n  mutants: none\n  seeds: 1\nchapters:",
+            "config.yaml:6:3: mutation.mutants: expected a whole number from 1, found 'none'\n"
+            "    write how many\n"
+            "config.yaml:7:3: mutation.seeds: expected a known key, found another\n"
+            "    did you mean `seed`?",
+            id="sample of mutants",
         ),
         pytest.param(
             "[1, 2]",

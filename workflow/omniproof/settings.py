@@ -31,13 +31,23 @@ class PaperSettings(BaseModel):
     figures: tuple[Number, ...] = ()
 
 
+class MutationSettings(BaseModel):
+    """How large the sample of planted misprints is, and what it is drawn with."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    mutants: Number = 60
+    seed: Number = 1
+
+
 class Settings(BaseModel):
-    """What is built: papers by key, and the chapters of the report."""
+    """What is built: papers by key, the chapters of the report, the sample of mutants."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     papers: dict[Key, PaperSettings] = Field(min_length=1)
     chapters: tuple[Key, ...] = Field(min_length=1)
+    mutation: MutationSettings = MutationSettings()
 
 
 def read_settings(
@@ -111,17 +121,24 @@ def _shape_fault(error: Mapping[str, Any], file: Path, text: str) -> Fault:
         case "missing":
             return _fault(file, text, place, "expected this key, found none", "add it")
         case "extra_forbidden":
-            known = sorted((Settings if len(place) == 1 else PaperSettings).model_fields)
-            cure = _nearest(str(place[-1]), known)
+            cure = _nearest(str(place[-1]), sorted(_owner(place).model_fields))
             return _fault(file, text, place, "expected a known key, found another", cure)
         case "string_pattern_mismatch":
             cure = "write lower-case words joined by hyphens, such as omni-arrangement"
             return _fault(file, text, place, f"expected a key, found {found}", cure)
         case "greater_than_equal" | "int_type" | "int_parsing":
-            cure = "write the number of the caption"
+            counted = place[0] == "mutation"
+            cure = "write how many" if counted else "write the number of the caption"
             return _fault(file, text, place, f"expected a whole number from 1, found {found}", cure)
         case _:
             return _fault(file, text, place, f"{error['msg']}, found {found}", "")
+
+
+def _owner(place: Place) -> type[BaseModel]:
+    """Return the record that the key at a place belongs to."""
+    if len(place) == 1:
+        return Settings
+    return MutationSettings if place[0] == "mutation" else PaperSettings
 
 
 def _nearest(word: str, known: Sequence[str]) -> str:

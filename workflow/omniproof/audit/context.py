@@ -22,13 +22,17 @@ from omniproof.transcription.tree import Chain, Name, Node, names
 
 @dataclass
 class Context:
-    """One paper under audit; `choices` are the readings of its conventions, once chosen."""
+    """One paper under audit; `choices` are the readings of its conventions, once chosen.
+
+    Derived once: `known`, what printed symbols stand for, and `lemmas`, what they do in one claim.
+    """
 
     loaded: LoadedPaper
     registry: Registry
     readings: Mapping[str, Read]
     choices: Mapping[str, str] = field(default_factory=dict)
     known: dict[str, Any] = field(default_factory=dict)
+    lemmas: dict[str, Mapping[str, Any]] = field(default_factory=dict)
 
     @cached_property
     def claims(self) -> dict[str, Claim]:
@@ -96,7 +100,9 @@ class Context:
 
     def meanings_at(self, claim: str, node: Node) -> dict[str, Any]:
         """Meanings of the symbols in a formula; in a lemma, some stand for anything."""
-        own = self.derivation(claim).meanings()
+        if claim not in self.lemmas:
+            self.lemmas[claim] = self.derivation(claim).meanings()
+        own = self.lemmas[claim]
         return {
             printed: own[name] if name in own else self.meaning(printed)
             for printed in names(node)

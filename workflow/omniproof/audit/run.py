@@ -38,14 +38,20 @@ def check_paper(folder: Path) -> dict[str, object]:
 
 def audit_paper(folder: Path) -> Ledger:
     """Return the ledger of the paper in a folder of `paper_data`; raises `BadInput`."""
-    context = prepare(folder)
-    context.choices = {name: _choose(name, context) for name in context.registry.conventions}
+    context = prepare_to_judge(folder)
     rows = [row for claim in context.loaded.claims for row in judge_claim(claim, context)]
     return Ledger(
         paper=context.loaded.paper.key,
         claims=len(context.loaded.claims),
         rows=tuple(attribute(rows, context)),
     )
+
+
+def prepare_to_judge(folder: Path) -> Context:
+    """Load a paper as `prepare` does, and choose the readings of its conventions."""
+    context = prepare(folder)
+    context.choices = {name: _choose(name, context) for name in context.registry.conventions}
+    return context
 
 
 def prepare(folder: Path) -> Context:
