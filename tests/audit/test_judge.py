@@ -112,7 +112,7 @@ def test_rows(name: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
 @pytest.mark.parametrize(
     ("name", "engines", "note"),
     [
-        ("eq:6[2,3]", "flint+modular", "a matrix."),
+        ("eq:6[2,3]", "flint+modular+z3", "a matrix."),
         ("eq:10", "", "beyond us. gamma is not among the functions that can be enclosed."),
         ("eq:12", "signs", "signs agree."),
         ("sec:1/angles", "exact", "an isosceles triangle."),

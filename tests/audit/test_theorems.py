@@ -39,10 +39,10 @@ def test_a_proved_theorem_is_recorded_with_its_steps() -> None:
         "title": "One",
         "statement": "It is **so**: $x$ – “ü”.",
         "papers": ["a-paper"],
-        "engines": "flint+modular",
+        "engines": "flint+modular+z3",
         "proof": [
-            {"step": "The circle.", "engines": "flint+modular"},
-            {"step": "The double angle.", "engines": "flint+modular"},
+            {"step": "The circle.", "engines": "flint+modular+z3"},
+            {"step": "The double angle.", "engines": "flint+modular+z3"},
         ],
     }
 

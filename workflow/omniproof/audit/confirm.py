@@ -14,8 +14,8 @@ from typing import Any
 import sympy as sp
 
 from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
-from omniproof.audit.exact import subtract
 from omniproof.audit.modular import Mixed, NonZero, Zero, vanishes_modulo
+from omniproof.audit.smt import Different, Equal, differ_somewhere
 from omniproof.audit.zero_test import DisagreementError, decide_equal
 
 Vote = bool | None
@@ -49,7 +49,7 @@ def _modular(answer: Answer, printed: Any, derived: Any, domain: Domain) -> Vote
 
     A condition is confirmed when it suffices (zero under it) and something is needed (not without).
     """
-    difference = subtract(printed, derived)
+    difference = _difference(printed, derived)
     match vanishes_modulo(difference), answer:
         case (Zero(), Proved()) | (NonZero(), Refuted()):
             return True
@@ -58,6 +58,12 @@ def _modular(answer: Answer, printed: Any, derived: Any, domain: Domain) -> Vote
         case Mixed(), OnBranch(relations=relations):
             return _suffices(difference, relations)
     return None
+
+
+def _difference(printed: Any, derived: Any) -> sp.Expr:
+    """Subtract without evaluation; made anew here, as the first engine's could be what is wrong."""
+    negative = sp.Mul(-1, sp.sympify(derived), evaluate=False)
+    return sp.Add(sp.sympify(printed), negative, evaluate=False)
 
 
 def _suffices(difference: sp.Expr, relations: Sequence[Any]) -> Vote:
@@ -72,5 +78,17 @@ def _suffices(difference: sp.Expr, relations: Sequence[Any]) -> Vote:
     return None
 
 
-ENGINES: dict[str, Callable[[Answer, Any, Any, Domain], Vote]] = {"modular": _modular}
+def _smt(answer: Answer, printed: Any, derived: Any, domain: Domain) -> Vote:
+    """Ask z3 for a point anywhere: where a domain leaves points out, only "no point" counts."""
+    match differ_somewhere(sp.sympify(printed), sp.sympify(derived)), answer:
+        case (Equal(), Proved()) | (Different(), Refuted()):
+            return True
+        case Equal(), _:
+            return False
+        case Different(), _:
+            return None if domain != REALS else False
+    return None
+
+
+ENGINES: dict[str, Callable[[Answer, Any, Any, Domain], Vote]] = {"modular": _modular, "z3": _smt}
 """By the name in the ledger, in the order in which they are asked."""

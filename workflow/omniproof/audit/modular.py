@@ -15,8 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import combinations, product
 from math import gcd, prod
 from random import Random
@@ -88,29 +87,28 @@ def vanishes_modulo(formula: sp.Expr, non_negative: Sequence[sp.Expr] = ()) -> M
 class _Test:
     def __init__(self, formula: sp.Expr, non_negative: Sequence[sp.Expr]) -> None:
         self.formula = formula
-        non_negative = [*non_negative, *_two_sides(formula)]
         self.parts = parts_of([formula, *non_negative])
+        if self.parts.roots:
+            non_negative = [*non_negative, *_two_sides(formula)]
+            self.parts = parts_of([formula, *non_negative])
         if len(self.parts.roots) > MOST_ROOTS:
             raise OutsideError(f"it has more than {MOST_ROOTS} roots and absolute values")
         self.elements = self._elements(non_negative) if self.parts.roots else []
         self.patterns = list(product((1, -1), repeat=len(self.parts.roots)))
-        self.bound = self._bound()
-        if self.bound >= WANTED ** (1 / 8):
-            raise OutsideError("its degree is too large for a useful bound")
 
     def answer(self) -> ModularAnswer:
         """Look at as many points as the wanted bound takes."""
-        bound, place = 1.0, None
-        places = self._places()
-        while bound > WANTED:
-            place, values = next(places)
+        bound = 1.0
+        for place, values in self._places():
             vanishing, patterns = values.count(0), len(values)
             if 0 < vanishing < patterns:
                 return Mixed(vanishing, patterns)
             if not vanishing:
                 return self._refuted(place)
             bound *= self.bound
-        return Zero(bound)
+            if bound < WANTED:
+                return Zero(bound)
+        raise OutsideError(f"fewer than the wanted number of {ATTEMPTS} points were fit for a test")
 
     def _refuted(self, place: _Place) -> ModularAnswer:
         if self.parts.unknown:
@@ -126,11 +124,18 @@ class _Test:
                 values = [self._at(place, signs) for signs in self.patterns]
             except (ZeroDivisionError, _NoRootError):
                 continue
-            possible = [value for value, elements in values if not _contradicts(place, elements)]
-            if not possible:
-                raise OutsideError("no signs of its roots are possible: it is nowhere defined")
-            yield place, possible
-        raise OutsideError(f"none of {ATTEMPTS} points was fit for a test")
+            yield place, self._possible(place, values)
+
+    @staticmethod
+    def _possible(place: _Place, values: list[tuple[int, list[int]]]) -> list[int]:
+        """Keep the values for signs that can be; all of them where they say the same."""
+        vanishing = sum(value == 0 for value, _ in values)
+        if vanishing in (0, len(values)):
+            return [value for value, _ in values]
+        possible = [value for value, elements in values if not _contradicts(place, elements)]
+        if not possible:
+            raise OutsideError("no signs of its roots are possible: it is nowhere defined")
+        return possible
 
     def _at(self, place: _Place, signs: tuple[int, ...]) -> tuple[int, list[int]]:
         place.choose(dict(zip(self.parts.roots, signs, strict=True)))
@@ -140,15 +145,17 @@ class _Test:
         """Collect what is never negative, the most telling first."""
         parts = self.parts
         symbols = [letter for letter in parts.letters if letter.is_nonnegative]
-        turns = {sp.Rational(a.turns.numerator, a.turns.denominator) for a in parts.angles.values()}
-        constants = [f(t * sp.pi, evaluate=False) for t in sorted(turns) for f in (sp.cos, sp.sin)]
+        fractions = {angle.turns for angle in parts.angles.values() if 2 % angle.turns.denominator}
+        turns = [sp.Rational(f.numerator, f.denominator) for f in sorted(fractions)]
+        constants = [f(t * sp.pi, evaluate=False) for t in turns for f in (sp.cos, sp.sin)]
         signed = [sign_of_constant(c) * c for c in constants if sign_of_constant(c)]
         for constant in signed:
             parts.angles |= parts_of([constant]).angles
-        found = [*parts.roots, *non_negative, *parts.sums, *symbols, *signed]
+        found = [*parts.roots, *non_negative, *parts.sums, *symbols, *signed, *parts.squares]
         return list(dict.fromkeys(found))[:MOST_ELEMENTS]
 
-    def _bound(self) -> float:
+    @cached_property
+    def bound(self) -> float:
         """Bound the probability that one place misleads.
 
         The norm over all sign patterns is a polynomial with the degree and bits of the formula
@@ -161,12 +168,15 @@ class _Test:
         ratios = 0
         if self.elements:
             found = [bounds.of(_formula(element)) for element in self.elements]
-            growths += [growth.power(Fraction(LONGEST_PRODUCT)) for growth in found]
+            growths += [growth.power(LONGEST_PRODUCT) for growth in found]
             ratios = len(_products(len(found))) * LARGEST_RATIO**2
         degree = max(max(growth.degree, growth.below) for growth in growths) + 1
         bits = max(max(growth.bits, growth.bits_below) for growth in growths) + 8
         each = len(self.patterns) * (degree + bits * self.parts.order**2)
-        return float(ATTEMPTS * (1 + ratios) * each / Fraction(2) ** (BITS - 1))
+        bound = ATTEMPTS * (1 + ratios) * each / 2.0 ** (BITS - 1)
+        if bound >= WANTED ** (1 / 8):
+            raise OutsideError("its degree is too large for a useful bound")
+        return float(bound)
 
 
 def _two_sides(formula: sp.Expr) -> list[sp.Expr]:

@@ -40,16 +40,16 @@ class Angle(NamedTuple):
 class Growth(NamedTuple):
     """Degrees, and bits of the sum of sizes of coefficients, of numerator and denominator."""
 
-    degree: Fraction
-    below: Fraction
-    bits: Fraction
-    bits_below: Fraction
+    degree: float
+    below: float
+    bits: float
+    bits_below: float
 
     def times(self, other: Growth) -> Growth:
         """Bound a product."""
         return Growth(*(mine + its for mine, its in zip(self, other, strict=True)))
 
-    def power(self, exponent: Fraction) -> Growth:
+    def power(self, exponent: int) -> Growth:
         """Bound a power; the inverse for a negative exponent."""
         parts = self if exponent >= 0 else (self.below, self.degree, self.bits_below, self.bits)
         return Growth(*(abs(exponent) * part for part in parts))
@@ -62,7 +62,7 @@ class Growth(NamedTuple):
         )  # fmt: skip
 
 
-NOTHING = Growth(*(Fraction(0),) * 4)
+NOTHING = Growth(0, 0, 0, 0)
 
 
 def sum_of(parts: Iterable[Growth]) -> Growth:
@@ -71,7 +71,7 @@ def sum_of(parts: Iterable[Growth]) -> Growth:
     below, bits_below = sum(part.below for part in parts), sum(part.bits_below for part in parts)
     degree = max(part.degree - part.below for part in parts) + below
     bits = max(part.bits - part.bits_below for part in parts) + bits_below
-    return Growth(degree, Fraction(below), bits + len(parts).bit_length(), Fraction(bits_below))
+    return Growth(degree, below, bits + len(parts).bit_length(), bits_below)
 
 
 @dataclass
@@ -86,6 +86,7 @@ class Parts:
     denominators: dict[sp.Expr, int] = field(default_factory=dict)
     roots: dict[Root, None] = field(default_factory=dict)
     sums: dict[sp.Expr, None] = field(default_factory=dict)  # with terms that are not negative
+    squares: dict[sp.Expr, None] = field(default_factory=dict)  # even powers
     order: int = 4
 
 
@@ -117,6 +118,8 @@ def _visit(node: sp.Expr, found: Parts, seen: set[sp.Expr]) -> None:
             _visit(argument, found, seen)
         if node.is_Add and is_plainly_positive(node):
             found.sums[node] = None
+        elif node.is_Pow and node.exp.is_even:
+            found.squares[node] = None
     else:
         found.letters[node] = None
         if not (node.is_Symbol or node is sp.pi):
@@ -210,10 +213,9 @@ class Bounds:
 
     def _compute(self, node: sp.Expr) -> Growth:
         if node in self.parts.letters:
-            return NOTHING._replace(degree=Fraction(1))
+            return NOTHING._replace(degree=1)
         if node.is_Rational:
-            bits = [Fraction(int(part).bit_length()) for part in (abs(node.p), node.q)]
-            return Growth(Fraction(0), Fraction(0), *bits)
+            return Growth(0, 0, int(node.p).bit_length(), int(node.q).bit_length())
         if node.is_Add:
             return sum_of(map(self.of, node.args))
         if node.is_Mul:
@@ -224,19 +226,19 @@ class Bounds:
         if isinstance(node, CIRCULAR):
             return self._circular(node)
         size = self.of(node.args[0])
-        return size.times(size.power(Fraction(-1))) if isinstance(node, sp.sign) else size
+        return size.times(size.power(-1)) if isinstance(node, sp.sign) else size
 
     def _power(self, node: sp.Expr) -> Growth:
         base, level = self.of(node.base), root_level(node)
         for _ in range(level):
             base = base.root()
-        return base.power(Fraction(int(node.exp.p)))
+        return base.power(int(node.exp.p))
 
     def _circular(self, node: sp.Expr) -> Growth:
         """Bound (z^n + z^-n)/2 and the like by polynomials of degree 2n over 2 z^n."""
         angle = self.parts.angles[node.args[0]]
-        steps = sum(abs(f * self.parts.denominators[a]) for a, f in angle.multiples.items())
-        return Growth(Fraction(2 * steps), Fraction(2 * steps), Fraction(1), Fraction(1))
+        steps = sum(abs(int(f * self.parts.denominators[a])) for a, f in angle.multiples.items())
+        return Growth(2 * steps, 2 * steps, 1, 1)
 
     @staticmethod
     def _product(parts: Iterable[Growth]) -> Growth:
