@@ -12,7 +12,7 @@ from omniproof.transcription.faults import BadInput
 from omniproof.transcription.loader import load_paper
 from omniproof.transcription.messages import label
 from omniproof.transcription.model import Claim, Form
-from omniproof.transcription.tree import Chain, Name
+from omniproof.transcription.tree import Chain, Degrees, Name, Number, walk
 
 GOOD = r"""key: some-paper
 edition:
@@ -96,6 +96,15 @@ def test_a_good_folder(folder: Path) -> None:
     assert loaded.symbols["\\alpha_1"].name == "alpha_1"
 
 
+def test_assumptions_and_ranges_are_read(folder: Path) -> None:
+    text = GOOD.replace(FORMULA, ASSUMED + r"['0 < L < 2', '\alpha_1 \neq L']")
+    text = text.replace("name: alpha_1,", r"name: alpha_1, range: '(0, 90^\circ)',")
+    (folder / "paper.yaml").write_text(text, encoding="utf-8")
+    loaded = load_paper(folder)
+    assert [len(list(walk(node))) for node in loaded.assumptions["eq:1"]] == [7, 3]
+    assert loaded.ranges == {"\\alpha_1": (Number("0"), Degrees("90"))}
+
+
 def test_fragments_are_joined(folder: Path) -> None:
     text = GOOD.replace(r"'D_V(\alpha_1) = L \sin\alpha_1'", r"['L =', 'L']")
     (folder / "paper.yaml").write_text(text, encoding="utf-8")
@@ -106,10 +115,25 @@ def test_fragments_are_joined(folder: Path) -> None:
 
 FORMULA = r"'D_V(\alpha_1) = L \sin\alpha_1'"
 FILE = "paper_data/some-paper/paper.yaml"
+ASSUMED = FORMULA + "\n    assumes: "
 KINDS = "identity, value, relation, consistency, reference, editorial"
 ONE = [f"1 fault in {FILE}"]
 TWO = [f"2 faults in {FILE}"]
 BAD = [
+    pytest.param(FORMULA, ASSUMED + r"'L = 2'", [
+        f"{FILE}:25:14: claims[eq:1].assumes[1]: expected an inequality, found 'L = 2'",
+        r"    write `0 < \theta < 90^\circ`, or `a \neq b`", *ONE], id="an equation is assumed"),
+    pytest.param(FORMULA, ASSUMED + r"['L > 0', 'L < M']", [
+        f"{FILE}:25:24: claims[eq:1].assumes[2]: unknown symbol `M`",
+        "    L < M", "        ^", "    declare it under `symbols`", *ONE],
+        id="an unknown symbol is assumed"),
+    pytest.param("agrees_with: eq:1", "agrees_with: eq:1\n    assumes: 'L > 0'", [
+        f"{FILE}:36:14: claims[sec:2/same].assumes: "
+        "`assumes` belongs to the kinds identity and relation", *ONE],
+        id="a letter assumes nothing"),
+    pytest.param("name: alpha_1,", "name: alpha_1, range: '(0, L)',", [
+        f"{FILE}:10:47: symbols[alpha_1].range: expected an open interval, found '(0, L)'",
+        r"    write its ends: `(0, 90^\circ)`", *ONE], id="a range without numbers"),
     pytest.param("claims:", "claims: [", [
         f"{FILE}:20:3: expected YAML, found a fault: did not find expected node content",
         "    check the indentation, and put LaTeX between single quotes", *ONE],

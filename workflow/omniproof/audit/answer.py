@@ -73,10 +73,12 @@ Answer = Proved | Refuted | OnBranch | Undecided
 class Domain:
     """Open intervals of symbols, by symbol name; a symbol that is not named is any real number.
 
-    End points are exact SymPy numbers (`pi/2`, not 1.57).
+    End points are exact SymPy numbers (`pi/2`, not 1.57). `conditions` are SymPy inequalities
+    between the symbols that hold as well.
     """
 
     intervals: Mapping[str, tuple[Any, Any]] = field(default_factory=dict)
+    conditions: tuple[Any, ...] = ()
 
 
 REALS = Domain()

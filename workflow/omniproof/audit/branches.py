@@ -69,7 +69,7 @@ def find_condition(form: NormalForm, expression: sp.Expr) -> Condition | None:
 def _parts(form: NormalForm, expression: sp.Expr) -> Iterator[_Part]:
     """Yield parts of the formula, positive and negative, with different sign patterns."""
     seen: set[tuple[int, frozenset[str]]] = set()
-    for candidate in _candidates(expression):
+    for candidate in named_parts(expression):
         pattern = form.sign_pattern(candidate)
         if pattern is None or not pattern[1] or pattern in seen:
             continue
@@ -81,7 +81,7 @@ def _parts(form: NormalForm, expression: sp.Expr) -> Iterator[_Part]:
             return
 
 
-def _candidates(expression: sp.Expr) -> Iterator[sp.Expr]:
+def named_parts(expression: sp.Expr) -> Iterator[sp.Expr]:
     """Yield what a reader would name: arguments of |.|, functions, symbols, sums, products."""
     nodes = [node for node in sp.preorder_traversal(expression) if isinstance(node, sp.Expr)]
     absolute = [node.args[0] for node in nodes if isinstance(node, (sp.Abs, sp.sign))]

@@ -9,6 +9,10 @@ from typing import Any
 
 from sympy import MatrixBase, Symbol
 
+from omniproof.audit.answer import Domain
+from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.exact import sign, subtract
+from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
 from omniproof.registry import Derivation, Derived, Registry, Relation
@@ -114,6 +118,23 @@ class Context:
         """Value of the printed form, or of one part of it; raises `LatexError`."""
         tree = self.loaded.trees[claim] if node is None else node
         return evaluate(tree, self.meanings_at(claim, tree), self.printed(claim))
+
+    def domain(self, claim: str) -> Domain:
+        """Where a claim is judged: the ranges of the symbols, and what the claim assumes.
+
+        Raises `LatexError` for what has no value, `UnsupportedError` for an empty domain.
+        """
+        ranges = {
+            self.loaded.symbols[printed].name: (evaluate(ends[0], {}), evaluate(ends[1], {}))
+            for printed, ends in self.loaded.ranges.items()
+            if printed in self.loaded.symbols
+        }
+        stated = self.loaded.assumptions.get(claim, ())
+        values = [evaluate(node, self.meanings_at(claim, node)) for node in stated]
+        for name, (lower, upper) in ranges.items():
+            if sign(subtract(upper, lower)) <= 0:
+                raise UnsupportedError(f"no value of {name} is left")
+        return domain_of(values, Domain(ranges))
 
     def sides(self, claim: str) -> tuple[Node, ...]:
         """Sides of a printed equation that its derivation is held against.

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from sympy import MatrixBase
 
-from omniproof.audit.answer import Answer, Proved
+from omniproof.audit.answer import REALS, Answer, Domain, Proved
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
 from omniproof.audit.ledger import Repair, Row, Verdict
@@ -34,6 +34,7 @@ class Cell:
     sides: tuple[Any, ...]
     derived: Any
     factor: Any = 1
+    domain: Domain = REALS
 
 
 def judge_identity(claim: Claim, context: Context) -> list[Row]:
@@ -47,6 +48,11 @@ def count_faults(claim: Claim, context: Context) -> int:
 
 
 def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
+    domain = context.domain(claim.id)
+    return (replace(cell, domain=domain) for cell in _printed_cells(claim, context))
+
+
+def _printed_cells(claim: Claim, context: Context) -> Iterator[Cell]:
     derived = context.derive(claim.id)
     nodes = context.sides(claim.id)
     values = tuple(context.evaluate(claim.id, node) for node in nodes)
@@ -83,7 +89,7 @@ def _compare(cell: Cell) -> tuple[Answer, int]:
     """Hold each side against what is derived; the answer on the first that fails, and its place."""
     engines: tuple[str, ...] = ()
     for place, side in enumerate(cell.sides):
-        answer = confirmed_equal(side, cell.derived)
+        answer = confirmed_equal(side, cell.derived, cell.domain)
         if not isinstance(answer, Proved):
             return answer, place
         engines = merge(engines, answer.engines)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from sympy import Expr, MatrixBase
 
@@ -13,12 +14,12 @@ from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
 from omniproof.audit.relations import equivalent, instance, judge, merge
 from omniproof.audit.rows import answered, start, with_note
-from omniproof.registry import Obligation, Relation
+from omniproof.registry import Obligation, Ordered, Relation, Subject
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Node, names
+from omniproof.transcription.tree import Comparison, Node, names, walk
 from omniproof.transcription.verbatim import normalise
 
 
@@ -116,7 +117,25 @@ def _judge_form(claim: Claim, relation: Relation, context: Context) -> Answer:
     if form is Form.INSTANCE:
         return instance(tuple(context.evaluate(claim.id)), relation.subject)
     at = tuple(_point(node, context) for node in context.loaded.points.get(claim.id, ()))
-    return judge(Obligation(form, relation.subject, at, claim.asserts.member))
+    subject = _printed_order(claim, relation.subject, context)
+    if isinstance(subject, Undecided):
+        return subject
+    obligation = Obligation(form, subject, at, claim.asserts.member)
+    return judge(obligation, context.domain(claim.id))
+
+
+def _printed_order(claim: Claim, subject: Subject, context: Context) -> Subject:
+    """Put the printed terms of a chain in the place of the derived ones, on the same box."""
+    tree = context.loaded.trees.get(claim.id)
+    if not isinstance(subject, Ordered) or tree is None:
+        return subject
+    links = [link for link in walk(tree) if isinstance(link, Comparison)]
+    signs = {link.operator for link in links}
+    if signs not in ({"<"}, {">"}):
+        return Undecided("a chain is judged where it is printed with `<` alone, or with `>`")
+    nodes = [links[0].left, *(link.right for link in links)]
+    terms = tuple(context.evaluate(claim.id, node) for node in nodes)
+    return replace(subject, terms=terms if signs == {"<"} else terms[::-1])
 
 
 def _point(node: Node, context: Context) -> tuple[Expr, ...]:

@@ -8,33 +8,62 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
-from sympy import Expr, Integer, Symbol, pi
+from sympy import Expr, Integer, Symbol, latex, pi
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
 from omniproof.audit import ordering
-from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
+from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
+from omniproof.audit.hypotheses import sign_under, with_box, within
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
 _SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}
 
 
-def judge(obligation: Obligation) -> Answer:
+def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     """Decide whether the form holds for the subject; `Undecided` for a subject of the wrong type.
 
+    Outside of the domain, nothing is asked. A condition between symbols that the form has no use
+    for may be what makes it true: what is not proved without it is undecided.
     Raises nothing for any subject: a form that cannot be judged on it is undecided.
     """
+    form, subject = obligation.form, obligation.subject
+    if isinstance(subject, Sequence) and form is Form.EQUAL:
+        return all_equal(tuple(subject), domain)
+    if domain == REALS:
+        return _judge(obligation)
+    try:
+        if isinstance(subject, Curve | Family | Ordered):
+            obligation = replace(
+                obligation, subject=replace(subject, box=within(subject.box, domain))
+            )
+    except UnsupportedError as reason:
+        return Undecided(str(reason))
+    answer = _judge(obligation, domain)
+    boxed = isinstance(subject, Family | Ordered) and domain.conditions
+    if isinstance(answer, Proved | Undecided) or not boxed:
+        return answer
+    if isinstance(subject, Family) and form in _SIGNS:
+        sign = sign_under(subject.expression, with_box(domain, subject.box))
+        if sign == _SIGNS[form]:
+            return Proved(("flint",))
+    told = ", ".join(f"${latex(condition)}$" for condition in domain.conditions)
+    return Undecided(f"it is not proved from {told}, and false without")
+
+
+def _judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     form, subject = obligation.form, obligation.subject
     if isinstance(subject, Family):
         return _judge_family(form, subject, obligation.at)
     if isinstance(subject, Curve):
-        return _judge_curve(form, subject)
+        return _judge_curve(form, subject, domain)
     if isinstance(subject, Ordered) and form is Form.CHAIN:
         return _chain(subject)
     if isinstance(subject, Mapping):
@@ -44,13 +73,13 @@ def judge(obligation: Obligation) -> Answer:
     return Undecided(f"the form {form} is not judged on a {type(subject).__name__}")
 
 
-def all_equal(values: Sequence[Expr]) -> Answer:
+def all_equal(values: Sequence[Expr], domain: Domain = REALS) -> Answer:
     """Decide whether all expressions agree, wherever they are defined; one alone says nothing."""
     if len(values) < 2:
         return Undecided("one value is compared with nothing")
     engines: tuple[str, ...] = ()
     for value in values[1:]:
-        answer = confirmed_equal(values[0], value)
+        answer = confirmed_equal(values[0], value, domain)
         if not isinstance(answer, Proved):
             return answer
         engines = merge(engines, answer.engines)
@@ -75,7 +104,7 @@ def _judge_family(form: Form, family: Family, at: tuple[tuple[Expr, ...], ...]) 
     return Undecided(f"the form {form} is not judged on a family")
 
 
-def _judge_curve(form: Form, curve: Curve) -> Answer:
+def _judge_curve(form: Form, curve: Curve, domain: Domain) -> Answer:
     from omniproof.audit import shapes
 
     judges = {
@@ -85,7 +114,7 @@ def _judge_curve(form: Form, curve: Curve) -> Answer:
     }
     if form not in judges:
         return Undecided(f"the form {form} is not judged on a curve")
-    return judges[form](curve)
+    return judges[form](curve, domain)
 
 
 def _chain(chain: Ordered) -> Answer:

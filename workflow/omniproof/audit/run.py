@@ -9,6 +9,7 @@ from pathlib import Path
 from sympy import MatrixBase
 
 from omniproof.audit.attribution import attribute
+from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
@@ -67,6 +68,7 @@ def prepare(folder: Path) -> Context:
     ]
     sound = [claim for claim in loaded.claims if _can_be_evaluated(claim, context, found)]
     found += [fault for claim in sound for fault in _unfit(claim, context)]
+    found += [fault for claim in loaded.claims for fault in _no_domain(claim, context)]
     if found:
         raise BadInput(found)
     return context
@@ -117,6 +119,21 @@ def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
         return
     if compared and any(isinstance(value, MatrixBase) for value in values):
         yield from _shapes(claim, context, values)
+
+
+def _no_domain(claim: Claim, context: Context) -> Iterator[Fault]:
+    """Find assumptions that cannot be evaluated, or that nothing fulfils."""
+    stated = context.loaded.assumptions.get(claim.id, ())
+    derived = claim.id in context.registry.derivations
+    if not derived or not all(_has_meaning(n, context) for node in stated for n in names(node)):
+        return
+    try:
+        context.domain(claim.id)
+    except (LatexError, UnsupportedError) as reason:
+        place = context.loaded.positions[claim.id]
+        message = getattr(reason, "message", str(reason))
+        path = f"claims[{claim.id}].assumes"
+        yield Fault(place.file, place.line, place.column, path, message, "see `range` of symbols")
 
 
 def _shapes(claim: Claim, context: Context, values: list[object]) -> Iterator[Fault]:

@@ -15,8 +15,16 @@ import sympy as sp
 from flint import fmpq
 
 from omniproof.audit.answer import REALS, Domain
-from omniproof.audit.balls import Ball, UnsupportedError, evaluate, exact_number, rational_ball
+from omniproof.audit.balls import (
+    Ball,
+    UnsupportedError,
+    evaluate,
+    exact_number,
+    rational_ball,
+    sign_of,
+)
 
+MOST_TRIES = 60  # points tried for one at which all conditions hold
 REACH = 6  # length of the interval in which an unbounded symbol is sampled
 DENOMINATORS = range(3, 14)
 
@@ -33,8 +41,26 @@ def sample_points(
     ordered = sorted(symbols, key=str)
     ranges = {symbol: _Range(*bounds(symbol, domain)) for symbol in ordered}
     generator = random.Random(seed)  # noqa: S311 - points, not secrets
-    for _ in range(count if ranges else 1):
-        yield {symbol: interval.draw(generator) for symbol, interval in ranges.items()}
+    found = 0
+    for _ in range((MOST_TRIES if domain.conditions else 1) * (count if ranges else 1)):
+        point = {symbol: interval.draw(generator) for symbol, interval in ranges.items()}
+        if not domain.conditions or _is_allowed(point, domain, generator):
+            yield point
+            found += 1
+        if found == count:
+            return
+
+
+def _is_allowed(point: Sample, domain: Domain, generator: random.Random) -> bool:
+    """Whether the conditions certainly hold at a point; symbols that only they have are drawn."""
+    missing = set().union(*(c.free_symbols for c in domain.conditions)) - point.keys()
+    others = {s: _Range(*bounds(s, domain)) for s in sorted(missing, key=str)}
+    full = point | {symbol: interval.draw(generator) for symbol, interval in others.items()}
+    for condition in domain.conditions:
+        known = sign_of(evaluate(condition.lhs - condition.rhs, full))
+        if known is None or not condition.func(known, 0):
+            return False
+    return True
 
 
 def bounds(symbol: sp.Symbol, domain: Domain = REALS) -> tuple[Any, Any]:

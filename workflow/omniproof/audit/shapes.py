@@ -22,6 +22,7 @@ from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refu
 from omniproof.audit.answer import Witness as Point
 from omniproof.audit.balls import UnsupportedError, WorkLimitError
 from omniproof.audit.exact import sign
+from omniproof.audit.hypotheses import sign_under
 from omniproof.audit.signs import guarded
 from omniproof.audit.survey import is_root
 from omniproof.audit.zero_test import decide_equal
@@ -86,7 +87,7 @@ class _Track:
         ((self.parameter, self.side),) = curve.box.items()
         self.place = sp.Matrix([*curve.coordinates, 0][:3])
         intervals = {**domain.intervals, self.parameter.name: self.side}
-        self.domain = Domain(intervals)
+        self.domain = Domain(intervals, domain.conditions)
 
     def line(self) -> Answer:
         points = list(self.points())
@@ -194,9 +195,9 @@ class _Track:
         return OnBranch(answer.engines, sp.latex(condition), witness, note, (condition,))
 
     def is_nonzero(self, part: Any) -> bool:
-        """Whether the domain keeps a symbol from zero."""
-        lower, upper = self.domain.intervals.get(str(part), (-sp.oo, sp.oo))
-        return bool(lower >= 0) or bool(upper <= 0)
+        """Whether the domain keeps an expression from zero."""
+        stated = sp.Ne(part, 0) in self.domain.conditions
+        return stated or sign_under(part, self.domain) is not None
 
     def points(self) -> Iterator[tuple[Any, Vector]]:
         """Yield exact parameters inside the box, the plainest first, and the points there."""

@@ -36,6 +36,7 @@ from omniproof.audit.balls import (
 )
 from omniproof.audit.branches import Condition, find_condition
 from omniproof.audit.exact import subtract
+from omniproof.audit.hypotheses import settle
 from omniproof.audit.normal_form import NormalForm, normal_form
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import Sample, sample_points
@@ -140,6 +141,7 @@ class _Question:
         if probes and len(differing) == len(probes):
             return Refuted(ENGINE, differing[0].witness())
         form = normal_form(self.difference)
+        settle(form, self.difference, self.domain)
         if form.is_zero or all(true for _, true in form.patterns()):
             if differing:
                 raise DisagreementError(f"zero by normal form, not at {differing[0].witness()}")

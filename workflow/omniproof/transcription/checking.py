@@ -14,16 +14,16 @@ from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from omniproof.transcription.faults import BadInput, Fault
+from omniproof.transcription.faults import BadInput, Fault, shorten
 from omniproof.transcription.messages import label, model_fault, nearest
 from omniproof.transcription.model import ID, Claim, Notation, Paper, Role, Symbol, Table
 from omniproof.transcription.paperfile import Document, Path_, Tree
 from omniproof.transcription.reader import LatexError, Names, read_with, symbol_name
 from omniproof.transcription.tablefile import Cell, load_table, unit_faults
 from omniproof.transcription.tokens import FUNCTIONS
-from omniproof.transcription.tree import Node, names, walk
+from omniproof.transcription.tree import Comparison, Logic, Node, Tuple, names, walk
 
-LISTS = frozenset({"latex", "agrees_with", "at"})
+LISTS = frozenset({"latex", "agrees_with", "at", "assumes"})
 """Keys of a claim whose single value may be written without a list."""
 
 Entry = TypeVar("Entry", bound=BaseModel)
@@ -55,6 +55,8 @@ class Check:
     sources: dict[str, str] = field(default_factory=dict)
     trees: dict[str, Node] = field(default_factory=dict)
     points: dict[str, tuple[Node, ...]] = field(default_factory=dict)
+    assumptions: dict[str, tuple[Node, ...]] = field(default_factory=dict)
+    ranges: dict[str, tuple[Node, ...]] = field(default_factory=dict)
 
     def run(self) -> None:
         """Check everything, in the order in which one thing needs another."""
@@ -141,6 +143,8 @@ class Check:
                 self.fault(("symbols", i, "name"), message, f"the first one is on line {line}")
             self.symbols.setdefault(name, symbol)
             by_name.setdefault(symbol.name, i)
+            if symbol.range:
+                self.read_range(i, name, symbol.range)
 
     def check_tables(self, tables: Mapping[int, Table]) -> None:
         """Read the tables, each with its units."""
@@ -196,6 +200,35 @@ class Check:
             points = [self.read((*path, k), text, (text,), known) for k, text in enumerate(at)]
             if at:
                 self.points[claim.id] = tuple(point for point in points if point is not None)
+
+            self.read_assumptions(i, claim, known)
+
+    def read_assumptions(self, i: int, claim: Claim, known: Names) -> None:
+        """Read what a claim states of its symbols: inequalities."""
+        found = []
+        for k, text in enumerate(claim.assumes):
+            path: Path_ = ("claims", i, "assumes", k)
+            node = self.read(path, text, (text,), known)
+            if node is not None and not _is_inequality(node):
+                message = f"expected an inequality, found {shorten(text)}"
+                self.fault(path, message, r"write `0 < \theta < 90^\circ`, or `a \neq b`")
+            elif node is not None:
+                found.append(node)
+        if claim.assumes:
+            self.assumptions[claim.id] = tuple(found)
+
+    def read_range(self, i: int, name: str, text: str) -> None:
+        """Read the range of a symbol: two numbers."""
+        try:
+            node = read_with(text, self.notation, Names())
+        except LatexError as error:
+            self.latex_fault(("symbols", i, "range"), error, (text,))
+            return
+        if isinstance(node, Tuple) and len(node.items) == 2 and not names(node):
+            self.ranges[name] = node.items
+        else:
+            message = f"expected an open interval, found {shorten(text)}"
+            self.fault(("symbols", i, "range"), message, r"write its ends: `(0, 90^\circ)`")
 
     def read(
         self, path: Path_, source: str, fragments: tuple[str, ...], known: Names
@@ -255,6 +288,13 @@ def unknown_symbols(tree: Node, source: str, declared: frozenset[str]) -> Iterat
             unknown.discard(name)
             cure = nearest(name, declared, "declare it under `symbols`")
             yield LatexError(f"unknown symbol `{name}`", source, node.span, cure)
+
+
+def _is_inequality(node: Node) -> bool:
+    """Whether a statement is an inequality, or several that hold together."""
+    if isinstance(node, Logic):
+        return node.operator == "and" and all(_is_inequality(part) for part in node.operands)
+    return isinstance(node, Comparison)
 
 
 def _whole(claim: str) -> str:

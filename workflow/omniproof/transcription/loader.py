@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from omniproof.transcription.checking import Check, Position, one_is_enough
@@ -25,7 +25,8 @@ class LoadedPaper:
     `claims` are the paper's claims and the cells of its tables, in order of place; `sources` is
     their LaTeX, fragments joined by a blank, and `trees` what was read from it, both by claim id;
     `points` are the trees of `asserts.at`. `symbols` are keyed by canonical name. `broken` are the
-    names of entries that were left out for their faults.
+    names of entries that were left out for their faults. `assumptions` are the trees of `assumes`
+    by claim id, `ranges` the two ends of the range of a symbol by canonical name.
     """
 
     paper: Paper
@@ -37,6 +38,8 @@ class LoadedPaper:
     points: Mapping[str, tuple[Node, ...]]
     symbols: Mapping[str, Symbol]
     broken: frozenset[str] = frozenset()
+    assumptions: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
+    ranges: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
 
 
 def load_paper(folder: Path) -> LoadedPaper:
@@ -71,6 +74,8 @@ def load_sound_part(folder: Path) -> tuple[LoadedPaper, tuple[Fault, ...]]:
         check.points,
         check.symbols,
         check.broken(),
+        check.assumptions,
+        check.ranges,
     )
     return loaded, tuple(check.faults)
 

@@ -121,12 +121,16 @@ class Asserts(Record):
 
 
 class Symbol(Record):
-    """A symbol as the paper prints it, and the name that it has in the derivations."""
+    r"""A symbol as the paper prints it, and the name that it has in the derivations.
+
+    `range` is an open interval such as `(0, 90^\circ)`, in every claim.
+    """
 
     latex: Latex
     name: Name
     role: Role = Role.VARIABLE
     positive: bool = False
+    range: Latex | None = None
     means: Text
 
 
@@ -142,7 +146,8 @@ class Claim(Record):
 
     `line` is the line of the source text (the first line is 1). `latex` and `quote` are verbatim;
     several fragments stand for a display that the source interrupts. `printed` is a decimal for
-    kind `value`, and the verbatim wording or symbol to compare for kind `consistency`.
+    kind `value`, and the verbatim wording or symbol to compare for kind `consistency`. `assumes`
+    are inequalities that the paper states for this claim, in LaTeX.
     """
 
     id: ClaimId
@@ -154,6 +159,7 @@ class Claim(Record):
     printed: Text | None = None
     unit: Text | None = None
     asserts: Asserts | None = None
+    assumes: tuple[Latex, ...] = ()
     agrees_with: tuple[ClaimId, ...] = ()
     target: ClaimId | None = None
     about: Text | None = None
@@ -162,7 +168,7 @@ class Claim(Record):
     uncheckable: Uncheckable | None = None
     decided_by: Text | None = None
 
-    @field_validator("latex", "agrees_with", mode="before")
+    @field_validator("latex", "agrees_with", "assumes", mode="before")
     @classmethod
     def _one_or_many(cls, value: object) -> object:
         return (value,) if isinstance(value, str) else value
@@ -179,6 +185,8 @@ class Claim(Record):
             _check_decimal(str(self.printed))
         if self.asserts and self.kind is not Kind.RELATION:
             raise ValueError("`asserts` belongs to kind relation")
+        if self.assumes and self.kind not in {Kind.IDENTITY, Kind.RELATION}:
+            raise ValueError("`assumes` belongs to the kinds identity and relation")
         return self
 
 
