@@ -4,8 +4,8 @@ Bounds of one symbol become open intervals: what is continuous and holds inside 
 too. Everything else (`a + b > c`, an order of angles) is kept as a condition: it restricts the
 points at which an engine looks, and it decides the sign of what follows from it. Signs are proved
 factor by factor, for each by the first way that works: it is a condition, or a sum of conditions;
-a function of one such sum, on the interval that the bounds give it; a function on a box; a sum of
-positive terms. No way means no sign, never a guess.
+a function on a box; a function of one such sum, on the interval that the bounds give it; a sum of
+terms of one sign. No way means no sign, never a guess.
 """
 
 from __future__ import annotations
@@ -77,11 +77,10 @@ def settle(form: NormalForm, expression: sp.Expr, domain: Domain) -> None:
     """Tell a normal form the signs that the domain gives to parts of a formula."""
     if domain == REALS:
         return
-    given = [(part, 1) for part in _positive(domain)]
-    known = [(part, sign_under(part, domain)) for part in named_parts(expression)]
-    for part, own in (*given, *known):
-        pattern = form.sign_pattern(part) if own else None
-        if own and pattern and pattern[1]:
+    for part in (*_positive(domain), *named_parts(expression)):
+        pattern = form.sign_pattern(part)
+        own = sign_under(part, domain) if pattern and pattern[1] else None
+        if pattern and own:
             places = frozenset(int(name[1:]) for name in pattern[1])
             form.basis.requirements.append(Requirement(own * pattern[0], places))
 
@@ -102,6 +101,9 @@ def _sign_of(factor: Any, domain: Domain) -> int | None:
     try:
         if not factor.free_symbols:
             return sign(factor) or None
+        terms = {sign_under(term, domain) for term in factor.args} if factor.is_Add else {None}
+        if terms in ({1}, {-1}):
+            return terms.pop()
         for wanted in (1, -1):
             if any(way(wanted * factor, domain) for way in (_follows, _on_box, _of_one, _shifted)):
                 return wanted
