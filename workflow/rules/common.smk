@@ -91,6 +91,11 @@ def papers_of(chapter):
     return [chapter] if chapter in settings.papers else list(settings.papers)
 
 
+def mutation_of(chapter):
+    """Return the study of planted misprints, for the chapter that shows it."""
+    return ["results/mutation.json"] if chapter == "findings" else []
+
+
 def reported(kind, paper, numbers, files):
     """Enter the tables or figures of a paper in Snakemake's report, with caption and labels."""
 

@@ -5,6 +5,7 @@ REQUIRED INPUTS:
     source   = notebooks/{chapter}.md
     ledgers  = results/ledger/{paper}.json
     theorems = results/theorems.json
+    mutation = results/mutation.json
     tables   = results/tables/{paper}/table-{number}.csv
     figures  = results/figures/{paper}/figure-{number}.svg
     abouts   = results/figures/{paper}/figures.json
@@ -20,6 +21,7 @@ rule notebook:
         source="notebooks/{chapter}.md",
         ledgers=lambda wildcards: ledgers_of(*papers_of(wildcards.chapter)),
         theorems="results/theorems.json",
+        mutation=lambda wildcards: mutation_of(wildcards.chapter),
         tables=lambda wildcards: tables_of(*papers_of(wildcards.chapter)),
         figures=lambda wildcards: figures_of(*papers_of(wildcards.chapter)),
         abouts=lambda wildcards: abouts_of(*papers_of(wildcards.chapter)),
