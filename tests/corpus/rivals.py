@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from typing import Any
 
-import symengine
+import symengine  # type: ignore[import-untyped]
 import sympy as sp
 from questions import Question, decision, verdict
 
