@@ -9,7 +9,7 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from omniproof.audit.answer import Proved
+from omniproof.audit.answer import REALS, Domain, Proved
 from omniproof.audit.approximate import UnsupportedError, Values, at_points
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context
@@ -47,10 +47,11 @@ def mend(text: str, derived: Any, claim: str, context: Context, factor: Any = 1)
 
     `derived` is an expression or a matrix; `None` where no edit, and no two, are found.
     """
+    domain = context.domain(claim)
 
     def is_true(edited: str) -> bool:
         try:
-            return equal(context.value(edited, claim) * factor, derived)
+            return equal(context.value(edited, claim) * factor, derived, domain)
         except (LatexError, TypeError, AttributeError):
             return False
 
@@ -64,13 +65,13 @@ def mend(text: str, derived: Any, claim: str, context: Context, factor: Any = 1)
     return _mended(found, Grade.POSSIBLE, context) if found else None
 
 
-def equal(printed: Any, derived: Any) -> bool:
+def equal(printed: Any, derived: Any, domain: Domain = REALS) -> bool:
     """Whether two expressions, or two matrices entry by entry, are proved equal."""
     if not isinstance(derived, MatrixBase):
-        return isinstance(confirmed_equal(printed, derived), Proved)
+        return isinstance(confirmed_equal(printed, derived, domain), Proved)
     if getattr(printed, "shape", None) != derived.shape:
         return False
-    return all(equal(*pair) for pair in zip(printed, derived, strict=True))
+    return all(equal(*pair, domain) for pair in zip(printed, derived, strict=True))
 
 
 def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:

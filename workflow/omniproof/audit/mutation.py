@@ -19,7 +19,7 @@ from typing import Any
 
 from sympy import MatrixBase, Rational, Symbol
 
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted
+from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
 from omniproof.audit.digits import UndefinedError, Value, are_equal, known_value, value
@@ -209,18 +209,21 @@ def _is_verified(original: Original, context: Context) -> bool:
         printed = context.value(original.text, original.claim) * original.factor
     except (LatexError, TypeError):
         return False
-    return isinstance(_decide(printed, original.derived), Proved)
+    domain = context.domain(original.claim)
+    return isinstance(_decide(printed, original.derived, domain), Proved)
 
 
-def _decide(printed: Any, derived: Any) -> Answer | None:
+def _decide(printed: Any, derived: Any, domain: Domain) -> Answer | None:
     """Decide as the audit does; a matrix by its first entry that is not proved equal."""
     if not isinstance(derived, MatrixBase):
-        return None if isinstance(printed, MatrixBase) else confirmed_equal(printed, derived)
+        return (
+            None if isinstance(printed, MatrixBase) else confirmed_equal(printed, derived, domain)
+        )
     if getattr(printed, "shape", None) != derived.shape:
         return None
     answer: Answer | None = None
     for pair in zip(printed, derived, strict=True):
-        answer = confirmed_equal(*pair)
+        answer = confirmed_equal(*pair, domain)
         if not isinstance(answer, Proved):
             break
     return answer
@@ -232,7 +235,7 @@ def fate(original: Original, mutant: Mutant, context: Context) -> Case:
     case = (original.claim, original.text, mutant.kind, mutant.text)
     try:
         printed = context.value(mutant.text, original.claim) * original.factor
-        answer = _decide(printed, original.derived)
+        answer = _decide(printed, original.derived, context.domain(original.claim))
     except (LatexError, TypeError):
         answer = None
     if answer is None:
