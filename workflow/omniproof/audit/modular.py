@@ -160,7 +160,7 @@ class _Test:
 
         The norm over all sign patterns is a polynomial with the degree and bits of the formula
         times their number. It vanishes at a random point with probability degree/p, and modulo at
-        most bits * order / 126 of the primes, of which there are 2^126/(88 order) or more. The same
+        most bits * order / 126 of the primes, of which there are about 2^126/(88 order). The same
         holds for each product that is compared with a constant. `ATTEMPTS` places may be looked at.
         """
         bounds = Bounds(self.parts)

@@ -5,7 +5,7 @@ difference of fractions is multiplied out (left as fractions, most are answered 
 procedure behind it, nlsat, is a cylindrical algebraic decomposition; there are no random points, no
 prime fields and no balls. It grows doubly exponentially, so only small formulas without roots of
 variables are asked, with a limit on z3's own count of steps: the answer does not depend on the
-speed of the machine. z3 takes a third of a second to import, and is imported when it is needed.
+speed of the machine. z3 is imported when the first such formula comes.
 """
 
 from __future__ import annotations
