@@ -234,3 +234,17 @@ def test_the_command_line_stops_on_a_disagreement(
     monkeypatch.setitem(confirm.ENGINES, engine, lambda *_: False)
     assert main(["audit", str(tiny_folder)]) == INTERNAL == 4
     assert f"{engine} contradicts flint" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("enough", "engines"),
+    [
+        (None, ("flint", "modular", "z3")),
+        (2, ("flint", "modular", "z3")),
+        (1, ("flint", "modular")),
+    ],
+)
+def test_no_more_engines_are_asked_than_are_enough(
+    enough: int | None, engines: tuple[str, ...]
+) -> None:
+    assert confirmed_equal(sin(x) ** 2 + cos(x) ** 2, Integer(1), enough=enough) == Proved(engines)

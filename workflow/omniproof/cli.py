@@ -1,17 +1,29 @@
-"""The command line: `omniproof audit FOLDER`.
+r"""The command line: `omniproof check 'LHS = RHS'` and `omniproof audit FOLDER`.
 
-Data goes to stdout, talk to stderr. Exit status: 0 the ledger could be computed, whatever it says;
-2 bad input; 4 internal. Imports wait until a command is known, so that `--help` is quick.
+Data goes to stdout, talk to stderr. Exit status of both: 2 bad input, 4 internal. A check: 0 true,
+1 false, or true under a condition only, 3 not decided. An audit: 0 the ledger could be computed,
+whatever it says. Imports wait until a command is known, so that `--help` is quick.
 """
 
 from __future__ import annotations
 
 import argparse
+import io
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-OK, BAD_INPUT, INTERNAL = 0, 2, 4
+OK, FALSE, BAD_INPUT, UNDECIDED, INTERNAL = range(5)
+STATUS = {
+    "verified": OK,
+    "erratum": FALSE,
+    "conditional": FALSE,
+    "invalid": BAD_INPUT,
+    "undecided": UNDECIDED,
+}
+LONGEST_INPUT = 4_000_000
+"""So many bytes of stdin are looked at; a formula has far fewer."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -20,40 +32,128 @@ def main(arguments: Sequence[str] | None = None) -> int:
     from omniproof.transcription.faults import BadInput
 
     try:
-        return _audit(options.folder, options.json)
+        status, text = _check(options) if options.command == "check" else _audit(options)
     except BadInput as error:
         print(error, file=sys.stderr)
         return BAD_INPUT
     except Exception as error:
         print(f"internal error, please report it: {type(error).__name__}: {error}", file=sys.stderr)
         return INTERNAL
+    _print(text)
+    return status
+
+
+def _print(text: str) -> None:
+    """Print to whatever stdout is: another encoding, or a reader that has seen enough."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        sys.stdout.write(text and f"{text}\n")
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="omniproof", description=_DESCRIPTION)
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    _add_check(commands.add_parser("check", help="check one formula", description=_CHECK))
     audit = commands.add_parser("audit", help="audit one paper", description=_AUDIT)
     audit.add_argument("folder", type=Path, help="folder of the paper, such as paper_data/ballbot")
     audit.add_argument("--json", action="store_true", help="print the ledger as one JSON object")
     return parser
 
 
+def _add_check(check: argparse.ArgumentParser) -> None:
+    check.add_argument("formula", help="LaTeX, such as '|x| = x'; - reads it from stdin")
+    check.add_argument("--json", action="store_true", help="print the result as one JSON object")
+    check.add_argument(
+        "--positive", metavar="SYMBOL", action="append", default=[], help="assume SYMBOL > 0"
+    )
+    check.add_argument(
+        "--between",
+        metavar="RANGE",
+        action="append",
+        default=[],
+        help=r"assume a range, such as '0 < \theta < 90^\circ' (the ends do not belong to it)",
+    )
+    check.add_argument(
+        "--function",
+        metavar="LETTER=NAME",
+        action="append",
+        default=[],
+        type=_shorthand,
+        help=r"read a letter as a function: c=cos reads 'c \theta'",
+    )
+    check.add_argument(
+        "--slash", choices=["first", "all"], help="what 1/3L divides by: 3, or all of 3L"
+    )
+
+
+def _shorthand(text: str) -> tuple[str, str]:
+    letter, equals, name = text.partition("=")
+    if not (equals and len(letter) == 1 and letter.isalpha()):
+        raise argparse.ArgumentTypeError(f"expected LETTER=NAME, such as c=cos, found {text!r}")
+    return letter, name
+
+
 _DESCRIPTION = "Audit what papers on omnidirectional robots print against what mechanics implies."
+_CHECK = """Decide whether a formula is true: an equation, a chain of them, an equation between
+matrices, or an inequality. Every symbol is a real number; e and i are not read. A formula that
+starts with a minus sign goes behind --. Exit status 0 true, 1 false, or true under a condition
+only, 2 bad input, 3 not decided, 4 internal."""
 _AUDIT = """Print the ledger of one paper: a line for every printed cell that a reader has to know
 of, and the number of the others. Exit status 0 whatever the verdicts are, 2 for bad input."""
 
 
-def _audit(folder: Path, as_json: bool) -> int:
+def _check(options: argparse.Namespace) -> tuple[int, str]:
+    from omniproof.audit.check import check
+    from omniproof.audit.setting import Assumptions
+    from omniproof.report.check_text import check_json, check_text
+    from omniproof.report.layout import terminal_width
+
+    said = Assumptions(
+        tuple(map(_unicode, options.positive)),
+        tuple(map(_unicode, options.between)),
+        dict(options.function),
+        options.slash,
+    )
+    result = check(_formula(options.formula), said)
+    status = STATUS[result.verdict]
+    if options.json:
+        return status, check_json(result)
+    if status == BAD_INPUT:
+        print(result.message, file=sys.stderr)
+        return status, ""
+    return status, check_text(result, terminal_width(), colour=_wants_colour())
+
+
+def _formula(argument: str) -> str:
+    if argument != "-":
+        return _unicode(argument)
+    return sys.stdin.buffer.read(LONGEST_INPUT).decode("utf-8", "replace")
+
+
+def _unicode(text: str) -> str:
+    """Put a character that no formula has for every byte that is no text."""
+    return text.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
+def _wants_colour() -> bool:
+    """Whether stdout is a terminal that may be coloured (https://no-color.org)."""
+    plain = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
+    return sys.stdout.isatty() and not plain
+
+
+def _audit(options: argparse.Namespace) -> tuple[int, str]:
     from omniproof.audit.run import audit_paper
 
-    ledger = audit_paper(folder)
-    if as_json:
-        print(ledger.model_dump_json(indent=1))
-        return OK
+    ledger = audit_paper(options.folder)
+    if options.json:
+        return OK, ledger.model_dump_json(indent=1)
     from omniproof.report.terminal import ledger_text
 
-    print(ledger_text(ledger))
-    return OK
+    return OK, ledger_text(ledger)
 
 
 if __name__ == "__main__":

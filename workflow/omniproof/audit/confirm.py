@@ -22,9 +22,12 @@ Vote = bool | None
 """True: the answer is confirmed; False: it is contradicted; None: not decided."""
 
 
-def confirmed_equal(printed: Any, derived: Any, domain: Domain = REALS) -> Answer:
+def confirmed_equal(
+    printed: Any, derived: Any, domain: Domain = REALS, *, enough: int | None = None
+) -> Answer:
     """Decide as `decide_equal` does, and name every engine that comes to the same answer.
 
+    After `enough` confirmations no further engine is asked; without it, all are.
     Raises `DisagreementError` when an engine comes to another one.
     """
     answer = decide_equal(printed, derived, domain)
@@ -36,6 +39,9 @@ def confirmed_equal(printed: Any, derived: Any, domain: Domain = REALS) -> Answe
             raise DisagreementError(_both_sides(engine, answer, printed, derived))
         if vote:
             answer = replace(answer, engines=(*answer.engines, engine))
+            enough = None if enough is None else enough - 1
+        if enough == 0:
+            break
     return answer
 
 

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import shutil
 from collections import Counter
-from textwrap import wrap
 
 from omniproof.audit.ledger import Ledger, Row, Verdict
-
-INDENT = "    "
+from omniproof.report.layout import detail, terminal_width
 
 
 def ledger_text(ledger: Ledger, width: int | None = None) -> str:
     """Write the ledger for a terminal of `width` columns (by default, this one's)."""
-    columns = width or min(shutil.get_terminal_size((100, 24)).columns, 120)
+    columns = width or terminal_width()
     faults = [_entry(row, columns) for row in ledger.rows if row.verdict.is_fault]
     return "\n\n".join([*faults, _counts(ledger)])
 
@@ -30,14 +27,7 @@ def _entry(row: Row, columns: int) -> str:
     }
     lines = [head]
     for name, text in details.items():
-        if text:
-            lines += wrap(
-                text,
-                columns,
-                initial_indent=f"{INDENT}{name:<10}",
-                subsequent_indent=INDENT + " " * 10,
-                break_long_words=False,
-            )
+        lines += detail(name, text, columns)
     return "\n".join(lines)
 
 

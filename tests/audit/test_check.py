@@ -1,0 +1,252 @@
+"""One statement: its verdict, the step and entry that fails, its repair, what cannot be read."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omniproof.audit.check import CheckResult, Finding, check
+from omniproof.audit.setting import Assumptions
+from omniproof.audit.zero_test import DisagreementError
+
+NONE = Assumptions()
+ROTATION = r"\begin{pmatrix}\cos a & -\sin a \\ \sin a & \cos a\end{pmatrix}"
+
+
+@pytest.mark.parametrize(
+    ("text", "assumptions"),
+    [
+        pytest.param(r"\sin 2\theta = 2\sin\theta\cos\theta", NONE, id="identity"),
+        pytest.param("a + b = b + a = 2 b + a - b", NONE, id="chain"),
+        pytest.param("a + a = 2a, b - b = 0", NONE, id="list"),
+        pytest.param(rf"{ROTATION}^T {ROTATION} = \begin{{pmatrix}}1&0\\0&1\end{{pmatrix}}", NONE,
+                     id="matrices"),
+        pytest.param(r"(1, 2, 3) \times (0, 0, 1) = (2, -1, 0)", NONE, id="vectors"),
+        pytest.param(r"\sqrt{L^2} = L", Assumptions(positive=("L",)), id="positive"),
+        pytest.param(r"|\cos\theta| = \cos\theta",
+                     Assumptions(between=(r"0 < \theta < 90^\circ",)), id="range"),
+        pytest.param(r"\sin\theta > 0", Assumptions(between=(r"0 < \theta < \pi",)), id="relation"),
+        pytest.param(r"0 < \sin\theta < 1", Assumptions(between=(r"0 < \theta < 90^\circ",)),
+                     id="chain of relations"),
+        pytest.param(r"-1 \leq \cos\theta \leq 1", NONE, id="for all angles"),
+        pytest.param("c(2x) = c(x)^2 - s(x)^2", Assumptions(functions={"c": "cos", "s": "sin"}),
+                     id="short functions"),
+        pytest.param(r"1/2x = \frac{1}{2x}", Assumptions(slash="all"), id="slash by all"),
+        pytest.param(r"1/2x = \frac{x}{2}", Assumptions(slash="first"), id="slash by the first"),
+    ],
+)  # fmt: skip
+def test_verified(text, assumptions):
+    found = check(text, assumptions)
+    assert found == CheckResult(
+        Finding.VERIFIED,
+        text,
+        engines=found.engines,
+        message="true wherever both sides are defined",
+    )
+    assert "flint" in found.engines
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "repair"),
+    [
+        pytest.param(
+            r"\sin 2\theta = \sin\theta\cos\theta",
+            r"false; another single edit gives `\frac{1}{2}\sin 2\theta = \sin\theta\cos\theta`",
+            r"\sin 2\theta = 2\sin\theta\cos\theta", id="factor"),
+        pytest.param(
+            r"\cos(a + b) = \cos a \cos b + \sin a \sin b",
+            r"false; another single edit gives `\cos(a - b) = \cos a \cos b + \sin a \sin b`",
+            r"\cos(a + b) = \cos a \cos b - \sin a \sin b", id="sign"),
+        pytest.param(
+            r"\cos 2a = \cos^2 a - \sin^2 a = 1 - 2\cos^2 a",
+            r"false in `\cos^2 a - \sin^2 a = 1 - 2\cos^2 a`; another single edit gives "
+            r"`\cos 2a = \cos^2 a - \sin^2 a = 2\cos^2 a - 1`",
+            r"\cos 2a = \cos^2 a - \sin^2 a = 1 - 2\sin^2 a", id="second step"),
+        pytest.param(
+            rf"{ROTATION}^{{-1}} = {ROTATION.replace('-', '')}", "false in row 2, column 1",
+            rf"{ROTATION}^{{-1}} = "
+            r"\begin{pmatrix}\cos a & \sin a \\ -\sin a & \cos a\end{pmatrix}", id="entry"),
+        pytest.param("(a, b) = (a, b) = (b, b)", "false in entry 1 of `(a, b) = (b, b)`",
+                     "(a, b) = (a, b) = (a, b)", id="entry of a step"),
+        pytest.param(r"\sin x > 2", "false", "", id="relation"),
+        pytest.param(r"\sqrt{x} = -y", "false", "", id="beyond repair"),
+    ],
+)  # fmt: skip
+def test_erratum(text, message, repair):
+    found = check(text)
+    assert (found.verdict, found.message) == (Finding.ERRATUM, message)
+    assert found.witness is not None
+    assert (found.repairs[0].text if found.repairs else "") == repair
+    for edit in found.repairs:
+        assert check(edit.text).verdict is Finding.VERIFIED
+
+
+@pytest.mark.parametrize(
+    ("text", "between", "condition", "message"),
+    [
+        pytest.param("|x| = x", (), r"x \geq 0", "true under a condition only", id="bars"),
+        pytest.param(r"|x| = x = \sqrt{x^2}", (), r"x \geq 0",
+                     "true under a condition only in `|x| = x`", id="one condition for two steps"),
+        pytest.param("|x| = x, |y| = y", (), r"x \geq 0 \text{ and } y \geq 0",
+                     "true under a condition only in `|x| = x`", id="two conditions"),
+        pytest.param(r"\cos\theta > 0", (r"0 < \theta < \pi",), r"0 < \theta < \frac{\pi}{2}",
+                     "true under a condition only: 0° < theta < 90°", id="exact set"),
+    ],
+)  # fmt: skip
+def test_conditional(text, between, condition, message):
+    found = check(text, Assumptions(between=between))
+    assert found.verdict is Finding.CONDITIONAL
+    assert (found.condition, found.message, found.repairs) == (condition, message, ())
+    assert found.witness is not None
+
+
+def test_a_fault_is_graver_than_a_condition():
+    found = check("|x| = x, x = 2x")
+    assert (found.verdict, found.message) == (Finding.ERRATUM, "false in `x = 2x`")
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        pytest.param(r"\sqrt{-1} = x", "not decided: it contains the imaginary unit", id="complex"),
+        pytest.param(r"a = b \text{ or } a = -b",
+                     "not decided: alternatives joined by `or` are not decided here", id="or"),
+        pytest.param(r"a = b \Leftrightarrow b = a",
+                     "not decided: equivalences are not decided here", id="equivalence"),
+        pytest.param(r"\{a, b\} = \{b, a\}",
+                     "not decided: only numbers, vectors and matrices are compared here",
+                     id="sets"),
+        pytest.param(r"\sin x \sin y \leq 1",
+                     "not decided: no proof was found without a bounded range for each symbol",
+                     id="relation without range"),
+        pytest.param(r"x^2 < x^2 + 1, \sin x \sin y \leq 1",
+                     r"not decided in `\sin x \sin y \leq 1`: no proof was found without a bounded "
+                     "range for each symbol", id="one of two"),
+    ],
+)  # fmt: skip
+def test_undecided(text, message):
+    found = check(text)
+    assert (found.verdict, found.message) == (Finding.UNDECIDED, message)
+    assert (found.witness, found.condition, found.repairs) == (None, "", ())
+
+
+LONG = "+".join(["x"] * 500_000)
+INVALID = [
+    pytest.param("", NONE, [
+        "expected a number, a symbol or a bracket, found the end of the formula",
+        "    ",
+        "    ^"], id="nothing"),
+    pytest.param("=", NONE, [
+        "expected a number, a symbol or a bracket, found the end of the formula",
+        "    =",
+        "     ^"], id="equals sign alone"),
+    pytest.param("= b", NONE, [
+        "expected something before the sign",
+        "    = b",
+        "    ~~^",
+        "    write `a = b`"], id="no left side"),
+    pytest.param("a =", NONE, [
+        "expected a number, a symbol or a bracket, found the end of the formula",
+        "    a =",
+        "       ^"], id="no right side"),
+    pytest.param("x + 1", NONE, [
+        "expected a statement, found an expression",
+        "    x + 1",
+        "    ~~~~^",
+        "    write `a = b`"], id="expression"),
+    pytest.param("__import__('os')", NONE, [
+        "expected a number, a symbol or a bracket, found `_`",
+        "    __import__('os')",
+        "    ^"], id="code"),
+    pytest.param("(" * 40 + "a" + ")" * 40 + " = a", NONE, [
+        "expected at most 32 brackets inside one another",
+        "    " + "(" * 40 + "a" + ")" * 29,
+        "    " + " " * 32 + "^",
+        "    split the formula"], id="nested too deeply"),
+    pytest.param(LONG, NONE, [
+        "expected at most 10000 characters, found 999999",
+        "    x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+",
+        "    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~^",
+        "    split the formula"], id="a million characters"),
+    pytest.param("f(x) = 1", NONE, [
+        "`f(x)` may be a function or a product",
+        "    f(x) = 1",
+        "    ~~~^",
+        "    drop the brackets for a product"], id="unknown function"),
+    pytest.param("1/3L = 1", NONE, [
+        "it is not clear what the slash divides by",
+        "    1/3L = 1",
+        "    ~~~^",
+        r"    write `\frac{…}{…}`, or settle it with `--slash first` or `--slash all`"],
+        id="slash"),
+    pytest.param("x^n = 1", NONE, [
+        "`^n` is neither a whole power nor part of a declared symbol",
+        "    x^n = 1",
+        "     ~^",
+        "    write a whole number as the power"], id="power"),
+    pytest.param("(a, b) = (a, b, c)", NONE, [
+        "expected sides of one shape, found a 2×1 matrix and a 3×1 matrix",
+        "    (a, b) = (a, b, c)",
+        "    ~~~~~~~~~~~~~~~~~^"], id="shapes"),
+    pytest.param("(a, b) < 1", NONE, [
+        "expected numbers, found a matrix",
+        "    (a, b) < 1",
+        "    ~~~~~~~~~^",
+        "    compare entry by entry"], id="order of vectors"),
+    pytest.param("x = 1", Assumptions(positive=("y",)), [
+        "the formula has no symbol `y`",
+        "    y",
+        "    ^",
+        "    leave the assumption out"], id="assumption"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "assumptions", "message"), INVALID)
+def test_invalid(text, assumptions, message):
+    found = check(text, assumptions)
+    assert found.verdict is Finding.INVALID
+    assert found.message.splitlines()[: len(message)] == message
+    assert len(found.printed) < 10_000
+
+
+def test_engines_that_disagree_are_no_verdict(monkeypatch):
+    def disagree(*_args, **_options):
+        raise DisagreementError("flint: zero, modular: not")
+
+    monkeypatch.setattr("omniproof.audit.check.confirmed_equal", disagree)
+    with pytest.raises(DisagreementError, match="flint: zero, modular: not"):
+        check("a = a")
+
+
+def test_an_engine_is_named_only_where_it_decided_every_step():
+    assert check("a = a, a < a + 1").engines == ("flint",)
+
+
+PIECES = (
+    r"x y \theta a_1 2 0 1.5 30^\circ \pi + - * / ( ) [ ] | = < \leq \neq ^2 ^T _1 \sin \sqrt \frac"
+)
+HOSTILE = [
+    *PIECES.split(),
+    r"\begin{pmatrix}",
+    r"\end{pmatrix}",
+    "&",
+    r"\\",
+    ",",
+    "{",
+    "}",
+    "__",
+    "'",
+]
+
+
+@settings(deadline=None, max_examples=150)
+@given(st.lists(st.sampled_from(HOSTILE), max_size=12).map(" ".join))
+def test_any_text_gets_a_verdict(text):
+    assert check(text).verdict in Finding
+
+
+@settings(deadline=None, max_examples=50)
+@given(st.text(max_size=40))
+def test_any_characters_get_a_verdict(text):
+    assert check(text).verdict in Finding

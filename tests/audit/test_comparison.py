@@ -1,0 +1,155 @@
+"""Order between formulas: proved, refuted at a point, or true on an exact set."""
+
+from __future__ import annotations
+
+import operator
+
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from omniproof.audit.answer import REALS, Domain, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.comparison import compare
+
+x, y = sp.symbols("x y", real=True)
+p = sp.Symbol("p", positive=True)
+sin, cos, tan, pi, sqrt = sp.sin, sp.cos, sp.tan, sp.pi, sp.sqrt
+
+
+def between(lower, upper, name="x"):
+    return Domain({name: (sp.sympify(lower), sp.sympify(upper))})
+
+
+POSITIVE = Domain({"p": (sp.S.Zero, sp.oo)})
+SQUARE = Domain({"x": (sp.S.Zero, sp.S.One), "y": (sp.Integer(2), sp.Integer(3))})
+
+
+@pytest.mark.parametrize(
+    ("left", "sign", "right", "domain"),
+    [
+        pytest.param(pi, "<", sp.Rational(22, 7), REALS, id="numbers"),
+        pytest.param(sqrt(8), "\\leq", 2 * sqrt(2), REALS, id="equal numbers"),
+        pytest.param(pi, "\\neq", sp.Rational(22, 7), REALS, id="different numbers"),
+        pytest.param(sin(x), ">", sp.S.Zero, between(0, pi), id="on a range"),
+        pytest.param(tan(x), ">", x, between(0, pi / 2), id="zero at an end, pole at the other"),
+        pytest.param(x, "<", y, SQUARE, id="two variables"),
+        pytest.param(x**2, "\\geq", sp.S.Zero, between(-1, 1), id="touching zero"),
+        pytest.param(cos(x), "\\leq", sp.S.One, REALS, id="periodic, all angles"),
+        pytest.param(sin(x / 2), "\\geq", -sp.S.One, REALS, id="period 4 pi"),
+        pytest.param(sin(x) + cos(x), "<", sp.Rational(3, 2), REALS, id="amplitude"),
+        pytest.param(x**2 + 1, ">", x, REALS, id="polynomial, all numbers"),
+        pytest.param(x**2, "\\geq", 2 * x - 1, REALS, id="a square"),
+        pytest.param(x**2 + y**2, "\\geq", 2 * x * y, REALS, id="a square of two variables"),
+        pytest.param(p + 1 / p, "\\geq", sp.Integer(2), POSITIVE, id="half line"),
+        pytest.param(1 / x, "<", sp.S.One, between(1, sp.oo), id="above 1"),
+        pytest.param(x**3, "<", sp.S.Zero, between(-sp.oo, 0), id="below 0"),
+        pytest.param(cos(x), "\\neq", sp.Integer(2), between(0, 1), id="never equal"),
+        pytest.param(1 / x, "\\neq", sp.S.Zero, between(-1, 1), id="both signs, no zero"),
+    ],
+)
+def test_true(left, sign, right, domain):
+    assert isinstance(compare(left, sign, right, domain), Proved)
+
+
+@pytest.mark.parametrize(
+    ("left", "sign", "right", "domain", "witness"),
+    [
+        pytest.param(
+            sqrt(2), ">", sqrt(3), REALS, "printed=1.414; derived=1.732", id="numbers"
+        ),
+        pytest.param(
+            pi, "<", sp.Rational(31415926, 10**7), REALS,
+            "printed=3.1415927; derived=3.1415926", id="digits that tell the sides apart"),
+        pytest.param(
+            sp.S.One, "\\neq", sp.S.One, REALS, "printed=1.000; derived=1.000", id="equal numbers"
+        ),
+        pytest.param(x**2, ">", sp.S.Zero, REALS, "x=0; printed=0; derived=0", id="at zero only"),
+        pytest.param(
+            x**2 + y**2, ">", 2 * x * y, REALS, "x=0; y=0; printed=0; derived=0", id="at the origin"
+        ),
+    ],
+)  # fmt: skip
+def test_false(left, sign, right, domain, witness):
+    found = compare(left, sign, right, domain)
+    assert isinstance(found, Refuted)
+    assert str(found.witness) == witness
+
+
+def test_a_witness_lies_in_the_range():
+    found = compare(sin(x), ">", sp.S.Zero, between(pi, 4))
+    assert isinstance(found, Refuted)
+    place = sp.Rational(found.witness.point["x"])
+    assert pi < place < 4
+    assert sin(place) < 0
+
+
+@pytest.mark.parametrize(
+    ("left", "sign", "right", "domain", "condition"),
+    [
+        pytest.param(sin(x), ">", sp.S.Zero, between(0, 2 * pi), r"0 < x < \pi", id="half circle"),
+        pytest.param(
+            sin(x), "\\geq", sp.S.Zero, between(0, 3 * pi), r"0 < x \leq \pi \text{ or } "
+            r"2 \pi \leq x < 3 \pi", id="ends belong to it"),
+        pytest.param(
+            cos(x), "\\geq", sp.S.One, between(-1, 7), r"x = 0 \text{ or } x = 2 \pi", id="points"
+        ),
+        pytest.param(
+            sin(x), "\\neq", cos(x), between(0, pi), r"x \neq \frac{\pi}{4}", id="but one point"
+        ),
+        pytest.param(
+            sin(x) ** 2, "\\neq", sp.S.Zero, between(-1, 4), r"x \neq 0,\; x \neq \pi", id="but two"
+        ),
+    ],
+)  # fmt: skip
+def test_true_on_a_set(left, sign, right, domain, condition):
+    found = compare(left, sign, right, domain)
+    assert isinstance(found, OnBranch)
+    assert found.condition == condition
+    place = {x: sp.sympify(found.witness.point["x"])}
+    assert sp.And(*found.relations).subs(place) == sp.false
+
+
+@pytest.mark.parametrize(
+    ("left", "sign", "right", "domain", "reason"),
+    [
+        pytest.param(
+            p, ">", sin(p), POSITIVE, "no proof was found without a bounded range for each symbol",
+            id="angle and number"),
+        pytest.param(
+            sin(x) * sin(y), "\\leq", sp.S.One, REALS,
+            "no proof was found without a bounded range for each symbol", id="two angles"),
+        pytest.param(
+            x, "\\neq", sp.S.Zero, REALS,
+            "no proof was found without a bounded range for each symbol", id="unequal"),
+        pytest.param(
+            cos(x), ">", x, between(0, 1),
+            "its zero x = 0.739085 has no closed form that is known here", id="no closed form"),
+    ],
+)  # fmt: skip
+def test_undecided(left, sign, right, domain, reason):
+    found = compare(left, sign, right, domain)
+    assert isinstance(found, Undecided)
+    assert found.reason == reason
+
+
+SIGNS = {"<": operator.lt, "\\leq": operator.le, ">": operator.gt, "\\geq": operator.ge}
+small = st.integers(-3, 3)
+
+
+@settings(deadline=None, max_examples=60)
+@given(small, small, small, st.sampled_from(sorted(SIGNS)), st.booleans())
+def test_no_answer_contradicts_the_values(a, b, c, sign, bounded):
+    left, right = a * x**2 + b * x, sp.Integer(c)
+    domain = between(-2, 2) if bounded else REALS
+    found = compare(left, sign, right, domain)
+    places = [sp.Rational(k, 6) for k in range(-11, 12)]
+    holds = [bool(SIGNS[sign](left.subs(x, place), right)) for place in places]
+    if isinstance(found, Proved):
+        assert all(holds)
+    if isinstance(found, Refuted):
+        point = {x: sp.Rational(found.witness.point.get("x", "0"))}
+        assert not SIGNS[sign](left.subs(point), right)
+    if isinstance(found, OnBranch):
+        truth = [bool(sp.And(*found.relations).subs(x, place)) for place in places]
+        assert truth == holds

@@ -1,0 +1,164 @@
+r"""One statement, judged: what `omniproof check` answers.
+
+Nothing here knows of a paper, a registry or pydantic: a formula is judged in the time that SymPy
+takes to be imported; what only some formulas need is imported when it is needed. The text is read
+by our own reader and never evaluated as code.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import TYPE_CHECKING, assert_never
+
+from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.confirm import confirmed_equal
+from omniproof.audit.setting import Assumptions, Setting, settle
+from omniproof.audit.statement import Link, links
+from omniproof.transcription import tree
+from omniproof.transcription.expression import evaluate
+from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError, tokenize
+
+if TYPE_CHECKING:
+    from omniproof.audit.repair import Repair
+
+FOR_PAPERS = (
+    (r"declare `[^`]*` with `role: quantity`, or ", ""),
+    (r"declare (?:the symbol )?`[^`]*`, or ", ""),
+    (r"`slash: (first|all)`", r"`--slash \1`"),
+    (r" in the notation$", ""),
+    (r", or say it in `says`$", ""),
+    (r" (?:in|as) (?:a claim of its|claims of their) own$", " alone"),
+    (r" into several claims$", ""),
+)
+"""What cures say of paper files, and what they say of a formula that stands alone."""
+
+
+class Finding(StrEnum):
+    """Verdicts of a check."""
+
+    VERIFIED = "verified"
+    ERRATUM = "erratum"
+    CONDITIONAL = "conditional"
+    UNDECIDED = "undecided"
+    INVALID = "invalid"
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """The verdict on one statement and what supports it.
+
+    `printed` is the statement as given, `condition` LaTeX, `message` one or two sentences, or the
+    fault of an invalid statement with its place. `repairs` are single edits that make a false one
+    true, the likeliest first.
+    """
+
+    verdict: Finding
+    printed: str
+    witness: Witness | None = None
+    condition: str = ""
+    repairs: tuple[Repair, ...] = ()
+    engines: tuple[str, ...] = ()
+    message: str = ""
+
+
+SHOWN = 3
+"""So many further repairs are named."""
+MOST_TOKENS = 200
+"""Edits are tried on formulas up to this length, in about a second."""
+SEVERITY = (Refuted, Undecided, OnBranch, Proved)
+"""Of several answers, the first kind of these is the answer on the whole statement."""
+
+
+def check(text: str, assumptions: Assumptions = Assumptions()) -> CheckResult:  # noqa: B008
+    """Judge one statement in LaTeX; every symbol in it is a real number.
+
+    Never raises for a text: what cannot be read is `invalid`, what cannot be decided `undecided`.
+    Raises `DisagreementError` when engines contradict each other.
+    """
+    printed = text.strip()
+    try:
+        node = assumptions.read(printed)
+        setting = settle(printed, node, assumptions)
+        parts = links(node, lambda side: evaluate(side, setting.meanings, printed), printed)
+    except LatexError as error:
+        return CheckResult(Finding.INVALID, _short(printed), message=_fault(error))
+    except UnsupportedError as reason:
+        return CheckResult(Finding.UNDECIDED, printed, message=f"not decided: {reason}")
+    except RecursionError:
+        message = "not decided: the formula is nested too deeply"
+        return CheckResult(Finding.UNDECIDED, printed, message=message)
+    result = _result(printed, parts, [_decide(part, setting) for part in parts])
+    if result.verdict is not Finding.ERRATUM or any(part.operator != "=" for part in parts):
+        return result
+    return _mended(result, node, assumptions, setting)
+
+
+def _mended(
+    result: CheckResult, node: tree.Node, assumptions: Assumptions, setting: Setting
+) -> CheckResult:
+    """Add the repairs of a false equation; the further ones are named in the message."""
+    if len(tokenize(result.printed)) > MOST_TOKENS:
+        message = f"{result.message}; too long a formula to look for a repair"
+        return replace(result, message=message)
+    from omniproof.audit.remedies import remedies
+
+    repairs = remedies(result.printed, node, assumptions, setting)
+    others = [f"`{edit.text}`" for edit in repairs[1 : 1 + SHOWN]]
+    left_out = len(repairs) - 1 - len(others)
+    more = [f"and {left_out} more"] if left_out > 0 else []
+    also = f"; another single edit gives {', '.join(others + more)}" if others else ""
+    return replace(result, repairs=repairs, message=result.message + also)
+
+
+def _decide(part: Link, setting: Setting) -> Answer:
+    """Decide one link; one confirmation is enough, since z3 takes as long to import as SymPy."""
+    if part.operator == "=":
+        return confirmed_equal(part.left, part.right, setting.domain, enough=1)
+    from omniproof.audit.comparison import compare
+
+    return compare(part.left, part.operator, part.right, setting.domain)
+
+
+def _result(printed: str, parts: Sequence[Link], answers: Sequence[Answer]) -> CheckResult:
+    """Join the answers on all links of a statement: the gravest one counts."""
+    gravest = min((SEVERITY.index(type(answer)), k) for k, answer in enumerate(answers))[1]
+    answer, place = answers[gravest], parts[gravest].place
+    shared = set[str].intersection(*(set(each.engines) for each in answers))
+    engines = tuple(name for name in answer.engines if name in shared)
+    match answer:
+        case Proved():
+            message = _sentence("true wherever both sides are defined", "", answer.note)
+            return CheckResult(Finding.VERIFIED, printed, engines=engines, message=message)
+        case Refuted(engines=engines, witness=witness):
+            message = _sentence("false", place, answer.note)
+            return CheckResult(Finding.ERRATUM, printed, witness, engines=engines, message=message)
+        case OnBranch(engines=engines, witness=witness):
+            message = _sentence("true under a condition only", place, answer.note)
+            branches = [each for each in answers if isinstance(each, OnBranch)]
+            condition = " \\text{ and } ".join(dict.fromkeys(each.condition for each in branches))
+            return CheckResult(
+                Finding.CONDITIONAL, printed, witness, condition, engines=engines, message=message
+            )
+        case Undecided(reason=reason, engines=engines):
+            message = _sentence("not decided", place, reason)
+            return CheckResult(Finding.UNDECIDED, printed, engines=engines, message=message)
+    assert_never(answer)
+
+
+def _sentence(opening: str, place: str, note: str) -> str:
+    return ": ".join(filter(None, [f"{opening} in {place}" if place else opening, note]))
+
+
+def _fault(error: LatexError) -> str:
+    for pattern, text in FOR_PAPERS:
+        error.cure = re.sub(pattern, text, error.cure)
+    return str(error)
+
+
+def _short(text: str) -> str:
+    """Cut what is too long to be a formula."""
+    return text if len(text) <= MAX_LENGTH else f"{text[:EXCERPT]}…"

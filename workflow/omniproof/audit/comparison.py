@@ -1,0 +1,221 @@
+r"""Order between two formulas: `<`, `\leq`, `>`, `\geq`, `\neq`, wherever both are defined.
+
+Points refute first. What they do not refute is proved on a box by branch and bound (`signs`), with
+one variable also on the whole line: a periodic function on a little more than a period, a rational
+one after x = a + t/(1 - t). Everything else is undecided, and says that a range would help.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from math import lcm
+from typing import Any, TypeAlias
+
+import sympy as sp
+from sympy.core.relational import Relational
+
+from omniproof.audit.angles import TRIGONOMETRIC, read_angle
+from omniproof.audit.answer import (
+    REALS,
+    Answer,
+    Domain,
+    OnBranch,
+    Proved,
+    Refuted,
+    Undecided,
+    Witness,
+)
+from omniproof.audit.balls import (
+    UnsupportedError,
+    compile_balls,
+    evaluate,
+    format_ball,
+    rational_ball,
+    sign_of,
+)
+from omniproof.audit.exact import sign, subtract, vanishes
+from omniproof.audit.quotient import OnBox
+from omniproof.audit.sampling import sample_points
+from omniproof.audit.signs import guarded, sign_on
+
+ENGINE = ("flint",)
+WANTED = {"<": -1, "\\leq": -1, ">": 1, "\\geq": 1}
+ADVICE = "no proof was found without a bounded range for each symbol"
+PROBES = 60
+Point: TypeAlias = Mapping[sp.Symbol, Any]
+_TURN = re.compile(r"(-?)(?:(\d+)\*)?pi(?:/(\d+))?")
+
+
+def compare(left: sp.Expr, operator: str, right: sp.Expr, domain: Domain = REALS) -> Answer:
+    r"""Decide whether `left operator right` holds at every point where both sides are defined.
+
+    With one variable on a bounded range, what holds in parts is `OnBranch` with the exact set.
+    Never raises for formulas: what is not decided is `Undecided`.
+    """
+    return guarded(lambda: _Comparison(left, operator, right, domain).answer())
+
+
+class _Comparison:
+    def __init__(self, left: sp.Expr, operator: str, right: sp.Expr, domain: Domain) -> None:
+        self.left, self.operator, self.right = left, operator, right
+        self.domain = domain
+        self.difference = subtract(left, right)
+        self.symbols = sorted(self.difference.free_symbols, key=str)
+        whole = (-sp.oo, sp.oo)
+        self.box = {s: domain.intervals.get(s.name, whole) for s in self.symbols}
+        self.bounded = all(sp.oo not in (-a, b) for a, b in self.box.values())
+
+    def answer(self) -> Answer:
+        if not self.symbols:
+            return self.of_numbers()
+        if self.operator == "\\neq":
+            return self.unequal()
+        if self.bounded:
+            family = OnBox(self.difference, self.box)
+            answer = sign_on(family, WANTED[self.operator], zero=self.may_vanish)
+            return self.with_sides(answer)
+        wrong = self.counterexample()
+        if wrong is not None:
+            return Refuted(ENGINE, self.witness(wrong))
+        return Proved(ENGINE) if self.is_evident() else self.on_the_line()
+
+    @property
+    def may_vanish(self) -> bool:
+        return self.operator in {"\\leq", "\\geq"}
+
+    def of_numbers(self) -> Answer:
+        true = self.holds_at({})
+        return Proved(ENGINE) if true else Refuted(ENGINE, self.witness({}))
+
+    def holds_at(self, point: Point) -> bool:
+        """Whether the statement is true at an exact point; raises `UnsupportedError` at a pole."""
+        found = sign(self.difference.subs(point))
+        if self.operator == "\\neq":
+            return found != 0
+        return found == WANTED[self.operator] or (found == 0 and self.may_vanish)
+
+    def counterexample(self) -> Point | None:
+        """Look for a point where the statement is false: 0 and 1 first, where equality hides."""
+        for value in (sp.S.Zero, sp.S.One):
+            point = dict.fromkeys(self.symbols, value)
+            if all(self.is_inside(symbol, value) for symbol in self.symbols):
+                try:
+                    if not self.holds_at(point):
+                        return point
+                except UnsupportedError:  # a pole
+                    continue
+        program = compile_balls([self.difference], tuple(self.symbols))
+        wrong = -WANTED[self.operator]
+        for sample in sample_points(self.symbols, self.domain, count=PROBES):
+            if sign_of(program.run([rational_ball(x) for x in sample.values()])[0]) == wrong:
+                return {symbol: _closed_form(str(x)) for symbol, x in sample.items()}
+        return None
+
+    def is_inside(self, symbol: sp.Symbol, value: Any) -> bool:
+        lower, upper = self.box[symbol]
+        return bool(lower < value) and bool(value < upper)
+
+    def witness(self, point: Point) -> Witness:
+        """Write a point with the values of both sides, in as many digits as tell them apart."""
+        balls = [evaluate(side.subs(point)) for side in (self.left, self.right)]
+        shown = [[format_ball(ball, digits) for ball in balls] for digits in (4, 8, 16, 32)]
+        values = next((pair for pair in shown if pair[0] != pair[1]), shown[0])
+        return Witness({symbol.name: str(value) for symbol, value in point.items()}, *values)
+
+    def with_sides(self, answer: Answer) -> Answer:
+        """Show both sides instead of their difference, at the point of a witness."""
+        if not isinstance(answer, Refuted | OnBranch):
+            return answer
+        point = {s: _closed_form(answer.witness.point[s.name]) for s in self.symbols}
+        return replace(answer, witness=self.witness(point))
+
+    def is_evident(self) -> bool:
+        """Prove the sign from the form: sums of squares, products of positive symbols."""
+        signed = WANTED[self.operator] * (self.left - self.right)
+        for form in (signed, sp.expand(signed), sp.factor(signed)):
+            if form.is_nonnegative if self.may_vanish else form.is_positive:
+                return True
+        return False
+
+    def on_the_line(self) -> Answer:
+        """Decide for one variable without bounds, on an interval that covers all its values."""
+        family, place = self.compact() if len(self.symbols) == 1 else (None, None)
+        if family is None or place is None:
+            return Undecided(ADVICE, ENGINE)
+        answer = sign_on(family, WANTED[self.operator], zero=self.may_vanish)
+        if not isinstance(answer, Refuted | OnBranch):
+            return answer
+        (name,) = answer.witness.point
+        (own,) = family.box
+        value = place.subs(own, _closed_form(answer.witness.point[name]))
+        return Refuted(ENGINE, self.witness({self.symbols[0]: value}))
+
+    def compact(self) -> tuple[OnBox | None, sp.Expr | None]:
+        """Put the variable on a bounded interval; returns also what it is there."""
+        (symbol,), (range_,) = self.symbols, self.box.values()
+        calls = self.difference.atoms(*TRIGONOMETRIC)
+        if not calls:
+            t = sp.Symbol("t", real=True)
+            place, side = _compact(t, *range_)
+            return OnBox(self.difference.subs(symbol, place), {t: side}), place
+        rest = self.difference.xreplace({call: sp.Dummy() for call in calls})
+        angles = [read_angle(call.args[0]).multiples for call in calls]
+        if symbol in rest.free_symbols or any(set(angle) != {symbol} for angle in angles):
+            return None, None
+        period = 2 * sp.pi * lcm(*(int(angle[symbol].q) for angle in angles))
+        return OnBox(self.difference, {symbol: (-sp.S.One, period)}), symbol
+
+    def unequal(self) -> Answer:
+        """Decide `a != b`: one sign throughout, or the zeros in closed form."""
+        if not self.bounded:
+            return Undecided(ADVICE, ENGINE)
+        answers = [sign_on(OnBox(self.difference, self.box), wanted) for wanted in (1, -1)]
+        if any(isinstance(answer, Proved) for answer in answers):
+            return Proved(ENGINE)
+        (symbol, *others) = self.symbols
+        parts = [answer for answer in answers if isinstance(answer, OnBranch)]
+        if others or not parts:
+            return Undecided("the points where both sides agree were not found", ENGINE)
+        zeros = sorted(self.zeros(symbol, parts), key=float)
+        if not zeros:
+            return Proved(ENGINE)
+        condition = ",\\; ".join(f"{sp.latex(symbol)} \\neq {sp.latex(zero)}" for zero in zeros)
+        witness = self.witness({symbol: zeros[0]})
+        relations = tuple(sp.Ne(symbol, zero) for zero in zeros)
+        return OnBranch(ENGINE, condition, witness, relations=relations)
+
+    def zeros(self, symbol: sp.Symbol, parts: list[OnBranch]) -> set[Any]:
+        ends = {
+            end
+            for part in parts
+            for relation in part.relations
+            for inequality in relation.atoms(Relational)
+            for end in inequality.args
+            if not end.free_symbols and end not in self.box[symbol]
+        }
+        return {end for end in ends if self.vanishes_at(symbol, end)}
+
+    def vanishes_at(self, symbol: sp.Symbol, end: Any) -> bool:
+        try:
+            return vanishes(self.difference.subs(symbol, end))
+        except UnsupportedError:
+            return False
+
+
+def _compact(t: sp.Symbol, lower: Any, upper: Any) -> tuple[sp.Expr, tuple[Any, Any]]:
+    """Write an unbounded variable as a function of t on a bounded interval."""
+    one, zero = sp.Integer(1), sp.Integer(0)
+    if lower == -sp.oo and upper == sp.oo:
+        return t / (1 - t**2), (-one, one)
+    return (upper - t / (1 - t) if lower == -sp.oo else lower + t / (1 - t)), (zero, one)
+
+
+def _closed_form(text: str) -> sp.Expr:
+    """Read a coordinate of a witness: a rational number, or a rational multiple of pi."""
+    turn = _TURN.fullmatch(text)
+    if turn is None:
+        return sp.Rational(text)
+    minus, numerator, denominator = turn.groups()
+    return sp.Rational(int(minus + (numerator or "1")), int(denominator or 1)) * sp.pi

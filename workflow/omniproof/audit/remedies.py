@@ -1,0 +1,77 @@
+"""The single edits that make a false equation true, whichever of its sides they mend."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from omniproof.audit.answer import Proved
+from omniproof.audit.approximate import ShapeError, at_points, evaluate
+from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.likeness import likeness
+from omniproof.audit.repair import QuickLook, Repair, repair
+from omniproof.audit.setting import Assumptions, Setting
+from omniproof.audit.statement import links
+from omniproof.audit.zero_test import decide_equal
+from omniproof.transcription import expression, tree
+from omniproof.transcription.tokens import LatexError
+
+
+def remedies(
+    printed: str, node: tree.Node, assumptions: Assumptions, setting: Setting
+) -> tuple[Repair, ...]:
+    """Return the edits that make an equation true under its assumptions, the likeliest first.
+
+    Among edits of one kind, those behind the first equals sign lead: what stands before it is what
+    a formula is about. Of edits that give one formula in two spellings, the likelier one is kept.
+    The symbols of the formula are all that an edit puts in.
+    """
+    known: dict[tree.Node, Any] = {}
+
+    def value(side: tree.Node) -> Any:
+        if side not in known:
+            known[side] = expression.evaluate(side, setting.meanings)
+        return known[side]
+
+    def is_true(text: str) -> bool:
+        try:
+            parts = links(assumptions.read(text), value, text)
+        except (LatexError, UnsupportedError):
+            return False
+        answers = (decide_equal(part.left, part.right, setting.domain) for part in parts)
+        return all(isinstance(answer, Proved) for answer in answers)
+
+    quick = _quick_look(node, assumptions, setting.meanings)
+    found = repair(printed, is_true, sorted(setting.meanings), quick)
+    begin = tree.children(node)[0].span[1]
+    ranked = sorted(found, key=lambda edit: (edit.kind, edit.span[0] < begin))
+    return tuple(_unlike(ranked, assumptions))
+
+
+def _quick_look(
+    node: tree.Node, assumptions: Assumptions, meanings: Mapping[str, Any]
+) -> QuickLook | None:
+    """Prepare the quick look: the sides of a true equation differ by 0 where this one is defined.
+
+    There is none for what floats cannot evaluate, or not at any of the points.
+    """
+    try:
+        points = {name: at_points(symbol) for name, symbol in meanings.items()}
+        gaps = evaluate(node, points.__getitem__)
+    except (ShapeError, UnsupportedError):
+        return None
+    if not np.isfinite(gaps).any():
+        return None
+    target = np.where(np.isfinite(gaps), 0.0, np.nan)
+    return QuickLook(assumptions.read, points.__getitem__, target)
+
+
+def _unlike(found: Sequence[Repair], assumptions: Assumptions) -> Iterator[Repair]:
+    seen = set()
+    for edit in found:
+        form = likeness(assumptions.read(edit.text))
+        if form not in seen:
+            seen.add(form)
+            yield edit
