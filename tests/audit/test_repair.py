@@ -142,6 +142,23 @@ TABLE = [
     pytest.param(r"\sin^2\theta + L", r"\sin\theta + L", "2 -> 1", id="superfluous power"),
     pytest.param(r"\sin\theta", r"\frac{\sin\theta}{R}", "divide by R", id="missing divisor"),
     pytest.param(r"5\theta", r"6\theta", "5 -> 6", id="constant off by one"),
+    pytest.param(
+        r"\sin(\alpha_1 \alpha_2)", r"\sin(\alpha_1 - \alpha_2)", "insert -", id="lost minus"
+    ),
+    pytest.param(
+        r"\cos\alpha_3 - \cos\alpha_1 \sin\alpha_3",
+        r"\sin\alpha_1 \cos\alpha_3 - \cos\alpha_1 \sin\alpha_3",
+        r"insert \sin \alpha_1",
+        id="lost sine",
+    ),
+    pytest.param(r"30^\circ - L", r"30^\circ + L", "- -> +", id="sign after degrees"),
+    pytest.param(r"\|(1, \theta)\| - L", r"\|(1, \theta)\| + L", "- -> +", id="sign after bars"),
+    pytest.param(
+        r"\langle (1, L)^T, (2, \theta)^T \rangle + \theta",
+        r"\langle (1, L)^T, (2, \theta)^T \rangle - \theta",
+        "+ -> -",
+        id="sign after an inner product",
+    ),
 ]
 
 

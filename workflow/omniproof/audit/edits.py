@@ -28,7 +28,9 @@ FUNCTIONS = {
 WRAPPED = ("arctan", "sqrt")
 OPERAND_ENDS = {"number", "symbol"}
 OPENING = {"(", "[", "{", "=", "&", "\\\\", ",", "\\|", "\\langle"}
-CLOSING = {")", "]", "}", r"\}", "|", "'"}
+CLOSING = {")", "]", "}", r"\}", "|", "'", r"\rangle", r"\circ"}
+EITHER = {"|", r"\|"}
+"""Bars open and close: a sign after them may be either."""
 MOST_SWAPS = 60
 
 
@@ -46,7 +48,7 @@ class Edit(IntEnum):
     FACTOR = 8  # a small constant that is missing
     SYMBOL = 9
     RATIO = 10  # upside down
-    PART = 11  # a factor or a power that should not be there
+    PART = 11  # a factor or a power that should not be there, or is missing; a lost sign
     WHOLE = 12  # a symbol that is missing before, or below, everything
     WRAP = 13  # a root, a bar or an inverse tangent that is missing or too many
 
@@ -83,7 +85,7 @@ def edits(
     words, kin = ([_Word.read(word) for word in group] for group in (vocabulary, relatives))
     found = list(_Editor(text, words, kin).edits())
     if node is not None:
-        found += _Regrouped(text, node).edits()
+        found += _Regrouped(text, node, words).edits()
     results = {edit.text: edit for edit in sorted(set(found), reverse=True) if edit.text != text}
     return sorted(results.values())
 
@@ -150,10 +152,11 @@ class _Editor:
 
     def flip(self, place: int, token: Token) -> Iterator[Repair]:
         """Turn a sign between terms over; drop a leading one."""
-        if _ends_operand(self.tokens, place):
+        either = place > 0 and self.tokens[place - 1].text in EITHER
+        if either or _ends_operand(self.tokens, place):
             other = "-" if token.text == "+" else "+"
             yield self.edit(Edit.SIGN, token.span, other, f"{token.text} -> {other}")
-        else:
+        if either or not _ends_operand(self.tokens, place):
             yield self.edit(Edit.MINUS, self.wide(token.span), "", f"drop {token.text}")
 
     def constant(self, token: Token) -> Iterator[Repair]:
@@ -232,10 +235,11 @@ class _Editor:
 class _Regrouped:
     """The edits that only the tree shows."""
 
-    def __init__(self, text: str, node: tree.Node) -> None:
-        self.text, self.node = text, node
+    def __init__(self, text: str, node: tree.Node, words: Sequence[_Word]) -> None:
+        self.text, self.node, self.words = text, node, words
 
     def edits(self) -> Iterator[Repair]:
+        yield from self.lost_functions()
         for node in tree.walk(self.node):
             match node:
                 case tree.Quotient(above, below):
@@ -249,6 +253,7 @@ class _Regrouped:
                         yield self.exchange(Edit.SWAP, left, right, "swap two entries")
                 case tree.Product(factors):
                     yield from self.without(factors)
+                    yield from self.lost_signs(factors)
                 case tree.Power(base):
                     span = base.span[1], node.span[1]
                     if base.span != node.span:
@@ -270,6 +275,26 @@ class _Regrouped:
             if not isinstance(factor, tree.Number | tree.Name):
                 description = f"drop {self.shown(factor.span)}"
                 yield self.edit(Edit.PART, factor.span, "", description)
+
+    def lost_signs(self, factors: Sequence[tree.Node]) -> Iterator[Repair]:
+        """Put a sign between two factors: they may have been terms."""
+        for factor in factors[1:]:
+            for sign in "-+":
+                place = factor.span[0], factor.span[0]
+                yield self.edit(Edit.PART, place, f"{sign} ", f"insert {sign}")
+
+    def lost_functions(self) -> Iterator[Repair]:
+        """Put a sine or cosine after each term, of what stands in one already, or of its kin."""
+        inner = [self.shown(n.argument.span) for n in tree.walk(self.node)
+                 if isinstance(n, tree.Call) and isinstance(n.argument, tree.Name)]  # fmt: skip
+        angles = [_Word.read(text) for text in dict.fromkeys(inner)]
+        near = [word.latex for word in self.words if any(map(word.is_kin, angles))]
+        sums = [node.terms for node in tree.walk(self.node) if isinstance(node, tree.Sum)]
+        for end in {term.span[1] for terms in (*sums, [self.node]) for term in terms}:
+            for name in (r"\sin", r"\cos"):
+                for angle in near:
+                    new = _join(name, f" {angle}")
+                    yield self.edit(Edit.PART, (end, end), f" {new}", f"insert {new}")
 
     def exchange(self, kind: Edit, left: tree.Node, right: tree.Node, description: str) -> Repair:
         """Let two parts change places."""
