@@ -51,12 +51,17 @@ class Constants:
         return all(self.is_zero(part) for part in self.coefficients(polynomial).values())
 
     def enclose(self, polynomial: Polynomial, balls: Mapping[str, Ball]) -> Ball:
-        """Enclose a polynomial in the constant generators."""
+        """Enclose a polynomial in the constant generators.
+
+        Raises `UnsupportedError` for sines of numbers like 2, which no separation bound covers.
+        """
         names = polynomial.context().names()
         total = arb(0)
         for exponents, coefficient in polynomial.terms():
             term = arb(fmpq(coefficient))
             for name, exponent in zip(names, exponents, strict=True):
+                if exponent and name not in balls:
+                    raise UnsupportedError("a root of the sine or cosine of a number is not read")
                 if exponent:
                     term = term * balls[name] ** int(exponent)
             total = total + term
