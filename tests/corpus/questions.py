@@ -15,16 +15,13 @@ import sympy as sp
 
 from corpus import Record
 from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.comparison import compare
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.quotient import OnBox
-from omniproof.audit.signs import sign_on
 from omniproof.audit.zero_test import decide_equal
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, Comparison, Node, names
-
-GREATER = {"<": -1, "\\leq": -1, ">": 1, "\\geq": 1}
 
 
 @dataclass(frozen=True)
@@ -114,17 +111,11 @@ def decision(question: Question, *, confirmed: bool = False) -> Answer:
 
 
 def _relation(question: Question) -> Answer:
-    """Decide the sign of the difference on the box; a set that is not all of it refutes."""
+    """Decide an order everywhere in the domain; positive symbols are positive there too."""
     ((left, right),) = question.pairs
-    difference = left - right
-    sides = {}
-    for symbol in sorted(difference.free_symbols, key=str):
-        low = sp.S.Zero if symbol.is_positive else -sp.oo
-        sides[symbol] = question.domain.intervals.get(symbol.name, (low, sp.oo))
-    if any(end.is_infinite for ends in sides.values() for end in ends):
-        return Undecided("a relation over an unbounded domain")
-    strict = question.relation in {"<", ">"}
-    return sign_on(OnBox(difference, sides), GREATER[question.relation], zero=not strict)
+    positive = {s.name: (sp.S.Zero, sp.oo) for s in question.symbols if s.is_positive}
+    domain = Domain(positive | dict(question.domain.intervals))
+    return compare(left, question.relation, right, domain)
 
 
 def verdict(question: Question, answer: Answer) -> str:

@@ -6,7 +6,7 @@ from questions import ask, decision, verdict
 from corpus import Record, load
 from omniproof.audit.answer import OnBranch
 
-UNBOUNDED = "relations are decided on bounded boxes only"
+UNBOUNDED = "no proof of an order over an unbounded domain of several symbols or a root"
 NO_CLOSED_FORM = "a sign that changes at a zero without closed form is undecided, not refuted"
 CANNOT = {
     "half-cosine-sign": "no sample point leaves the branch: points stay within half a turn",
@@ -16,8 +16,6 @@ CANNOT = {
     "isosceles-bound-false": NO_CLOSED_FORM,
     "triangle-cosine-bound": "equality inside of a box of two variables",
     "arithmetic-geometric": UNBOUNDED,
-    "cauchy-schwarz": UNBOUNDED,
-    "cauchy-schwarz-false": UNBOUNDED,
     "quadratic-positive": UNBOUNDED,
     "motzkin": UNBOUNDED,
 }
