@@ -31,19 +31,22 @@ def test_result_is_made(built, target):
     [
         pytest.param(
             "paper_data/omni-arrangement/paper.yaml",
-            "Audit omni-arrangement",
+            {"Audit omni-arrangement", "Plant misprints"},
             {"Prove what no paper prints", "Draw the figures of omni-arrangement"},
             id="a claim",
         ),
         pytest.param(
             "notebooks/findings.md",
-            "Run the chapter findings",
+            {"Run the chapter findings"},
             {"Audit omni-arrangement", "Run the chapter omni-arrangement"},
             id="a chapter",
         ),
-        pytest.param("book/method.md", "Set the report", {"Run the chapter index"}, id="a page"),
+        pytest.param("book/method.md", {"Set the report"}, {"Run the chapter index"}, id="a page"),
         pytest.param(
-            "workflow/omniproof/report/summary.py", "Sum up", {"Set the report"}, id="the summary"
+            "workflow/omniproof/report/summary.py",
+            {"Sum up"},
+            {"Set the report"},
+            id="the summary",
         ),
     ],
 )
@@ -55,7 +58,7 @@ def test_edit_runs_what_depends_on_it(built, file, first, never):
         steps = built.steps()
     finally:
         path.write_text(before)
-    assert steps[0] == first
+    assert set(steps[: len(first)]) == first
     assert not never & set(steps)
 
 
