@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, reduce
 from itertools import pairwise
 from typing import Any, TypeAlias
 
@@ -106,15 +106,9 @@ def value(node: tree.Node, values: Mapping[str, Value]) -> Value:  # noqa: C901 
         case tree.Negative(operand=operand):
             return _times(mpf(-1), go(operand))
         case tree.Sum(terms=terms):
-            total = go(terms[0])
-            for term in terms[1:]:
-                total = _plus(total, go(term))
-            return total
+            return reduce(_plus, map(go, terms))
         case tree.Product(factors=factors):
-            total = go(factors[0])
-            for factor in factors[1:]:
-                total = _times(total, go(factor))
-            return total
+            return reduce(_times, map(go, factors))
         case tree.Dot(left=left, right=right):
             return _times(go(left), go(right))
         case tree.Cross(left=left, right=right):
@@ -136,8 +130,7 @@ def value(node: tree.Node, values: Mapping[str, Value]) -> Value:  # noqa: C901 
         case tree.Norm(operand=operand):
             return mp.sqrt(sum(entry**2 for row in go(operand) for entry in row))
         case tree.Inner(left=left, right=right):
-            rows = zip(go(left), go(right), strict=True)
-            return sum(a[0] * b[0] for a, b in rows)
+            return sum(a[0] * b[0] for a, b in zip(go(left), go(right), strict=True))
         case tree.Tuple(items=items):
             return [[go(item)] for item in items]
         case tree.MatrixLiteral(rows=rows):
