@@ -105,7 +105,7 @@ def test_conditions_that_exclude_each_other_leave_it_undecided() -> None:
         pytest.param(sin(A2 - A1), ORDER, None, id="an arc may be more than half a turn"),
         pytest.param(sin(t), (t > 0, t < pi), 1, id="a box"),
         pytest.param(
-            sin(A1) + t * sin(A2), (*TURN, A1 < pi, A2 < pi, t > 0), 1, id="terms of one sign"
+            sin(A1) + t * sin(A2), (*TURN, pi > A1, pi > A2, t > 0), 1, id="terms of one sign"
         ),
     ],
 )
