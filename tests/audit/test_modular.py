@@ -215,6 +215,9 @@ def test_rewritten_formulas_are_zero(p: sp.Expr, q: sp.Expr) -> None:
 @given(formulas(), formulas())
 def test_answers_agree_with_50_digits(p: sp.Expr, q: sp.Expr) -> None:
     found = vanishes_modulo(p - q)
+    if isinstance(found, Mixed):  # sin^2 x against sin x |sin x|: it depends on a sign
+        assert (p - q).has(sp.Abs)
+        return
     assert isinstance(found, (Zero, NonZero))
     assert isinstance(found, Zero) == vanishes_numerically(p - q)
 

@@ -7,13 +7,10 @@ from corpus import Record, load
 from omniproof.audit.answer import OnBranch
 
 UNBOUNDED = "no proof of an order over an unbounded domain of several symbols or a root"
-NO_CLOSED_FORM = "a sign that changes at a zero without closed form is undecided, not refuted"
 CANNOT = {
     "half-cosine-sign": "no sample point leaves the branch: points stay within half a turn",
     "heron": "no condition is found for a root over a root, so the range of the angle is not used",
     "heron-sign": "no condition is found for a root over a root: refuted with a note, no branch",
-    "amplitude-bound-false": NO_CLOSED_FORM,
-    "isosceles-bound-false": NO_CLOSED_FORM,
     "triangle-cosine-bound": "equality inside of a box of two variables",
     "arithmetic-geometric": UNBOUNDED,
     "quadratic-positive": UNBOUNDED,

@@ -75,11 +75,14 @@ class _Comparison:
         if self.bounded:
             family = OnBox(self.difference, self.box)
             answer = sign_on(family, WANTED[self.operator], zero=self.may_vanish)
-            return self.with_sides(answer)
+            if not isinstance(answer, Undecided):
+                return self.with_sides(answer)
+            return self.refuted() or answer
+        return self.refuted() or (Proved(ENGINE) if self.is_evident() else self.on_the_line())
+
+    def refuted(self) -> Refuted | None:
         wrong = self.counterexample()
-        if wrong is not None:
-            return Refuted(ENGINE, self.witness(wrong))
-        return Proved(ENGINE) if self.is_evident() else self.on_the_line()
+        return None if wrong is None else Refuted(ENGINE, self.witness(wrong))
 
     @property
     def may_vanish(self) -> bool:
