@@ -24,6 +24,9 @@ from omniproof.audit.hypotheses import sign_under, with_box, within
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
+ENGINES = {"flint": 0, "modular": 1, "z3": 2}
+"""The order in which a row names the engines; others come after these."""
+
 _SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}
 
 
@@ -87,8 +90,9 @@ def all_equal(values: Sequence[Expr], domain: Domain = REALS) -> Answer:
 
 
 def merge(*groups: Sequence[str]) -> tuple[str, ...]:
-    """Names of engines in the order of their first appearance."""
-    return tuple(dict.fromkeys(name for group in groups for name in group))
+    """Names of engines: flint, modular, z3, then others as they appear."""
+    found = dict.fromkeys(name for group in groups for name in group)
+    return tuple(sorted(found, key=lambda name: ENGINES.get(name, len(ENGINES))))
 
 
 def _judge_family(form: Form, family: Family, at: tuple[tuple[Expr, ...], ...]) -> Answer:
