@@ -193,8 +193,10 @@ def test_instance_shows_how_many_angles_fit() -> None:
     )
 
 
-def test_merge_keeps_the_first_appearance() -> None:
-    assert merge(("flint", "z3"), ("modular",), ("z3",)) == ("flint", "z3", "modular")
+def test_merge_names_the_engines_in_the_order_of_the_ledger():
+    assert merge(("signs", "z3"), ("flint",), ("modular", "flint")) == (
+        "flint", "modular", "z3", "signs",
+    )  # fmt: skip
 
 
 def test_absolute_values_are_compared_on_all_branches() -> None:
