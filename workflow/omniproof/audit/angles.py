@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import sympy as sp
 
@@ -34,14 +34,6 @@ class Angle:
 
     multiples: Mapping[sp.Expr, sp.Rational]
     turns: sp.Rational
-
-
-class CosineSine(Protocol):
-    """A chart writes cos and sin of an angle as numerators over one denominator."""
-
-    def cosine_sine(self, angle: Angle) -> tuple[Polynomial, Polynomial, Polynomial]:
-        """Return (C, S, D) with cos = C/D and sin = S/D."""
-        ...  # pragma: no cover
 
 
 def read_angle(argument: sp.Expr) -> Angle:

@@ -24,19 +24,6 @@ from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import names
 
 
-def check_paper(folder: Path) -> dict[str, object]:
-    """Check everything that can be wrong with a paper file, and decide nothing.
-
-    Returns the number of claims by kind. Raises `BadInput` with all faults of the folder.
-    """
-    context = prepare(folder)
-    kinds = [claim.kind for claim in context.loaded.claims]
-    return {
-        "paper": context.loaded.paper.key,
-        "claims": {kind.value: kinds.count(kind) for kind in Kind},
-    }
-
-
 def audit_paper(folder: Path) -> Ledger:
     """Return the ledger of the paper in a folder of `paper_data`; raises `BadInput`."""
     context = prepare_to_judge(folder)

@@ -28,7 +28,6 @@ ID = re.compile(
 ClaimId = Annotated[str, StringConstraints(pattern=f"^{ID.pattern}$")]
 Text = Annotated[str, StringConstraints(min_length=1, max_length=2_000)]
 Latex = Annotated[str, StringConstraints(min_length=1, max_length=10_000)]
-Decimal = Annotated[str, StringConstraints(pattern=r"^[+-]?\d+(\.\d*)?$", max_length=40)]
 Name = Annotated[str, StringConstraints(pattern=r"^[A-Za-z][A-Za-z0-9_]*$", max_length=40)]
 
 

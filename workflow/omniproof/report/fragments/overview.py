@@ -24,7 +24,6 @@ from omniproof.report.fragments.counts import accounting_html, verdict_counts
 from omniproof.report.fragments.theorems import Theorem, read_theorems
 from omniproof.report.fragments.values import Value
 from omniproof.report.latexfmt import cell, inline, is_latex
-from omniproof.report.theme import MARKS
 from omniproof.transcription.model import Edition, Kind, Source, Uncheckable
 from omniproof.transcription.paperfile import load_document
 
@@ -141,11 +140,6 @@ class Overview:
             return f"{paper}.html#{address}" if address else None
 
         return href
-
-    def verdicts(self) -> Fragment:
-        """Show what every verdict means."""
-        rows = (f"<tr><td>{badge(v)}</td><td>{mark.meaning}</td></tr>" for v, mark in MARKS.items())
-        return Fragment(table(["verdict", "meaning"], rows), "verdicts")
 
 
 def read_edition(folder: Path) -> Edition:
