@@ -23,7 +23,7 @@ STANDARD = {
 }
 ANY_NAME = STANDARD | {"sympy", "omniproof.registry"}
 SOME_NAMES = {
-    "omniproof.kinematics": {"omni", "zonotope"},
+    "omniproof.kinematics": {"ballbot", "frames", "omni", "rolling", "trajectory", "zonotope"},
     "omniproof.transcription.model": {"Form"},
 }  # fmt: skip
 

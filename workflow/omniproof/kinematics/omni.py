@@ -1,10 +1,9 @@
 """Planar platform on N omni wheels: wheel matrix and its inverse, from one rolling constraint.
 
-Mechanics enters at one place only, `rolling_speed`; the wheel matrix is its Jacobian by the twist,
-and every other function starts from the wheel matrix. Change that one line and everything that
-rests on mechanics changes with it. All results are exact SymPy. Inverses are written as adjugate
-over determinant: a general `simplify` of the 3x3 symbolic inverse costs seconds and hides the
-cofactors that the field prints.
+Mechanics enters at one place only, `rolling_speed`, the planar case of `rolling.rolling_speed`; the
+wheel matrix is its Jacobian by the twist, and every other function starts from the wheel matrix.
+All results are exact SymPy. Inverses are written as adjugate over determinant: a general `simplify`
+of the 3x3 symbolic inverse costs seconds and hides the cofactors that the field prints.
 
 Conventions: SI units and radians; x and y of the platform's frame, yaw counter-clockwise positive,
 wheel k at the angle alpha_k from x, its driven direction the counter-clockwise tangent.
@@ -13,13 +12,11 @@ wheel k at the angle alpha_k from x, its driven direction the counter-clockwise 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeAlias
 
 from sympy import (
     Dummy,
     Expr,
     ImmutableMatrix,
-    Integer,
     MatrixBase,
     Rational,
     Symbol,
@@ -30,7 +27,8 @@ from sympy import (
     trigsimp,
 )
 
-Scalar: TypeAlias = Expr | int | float
+from omniproof.kinematics import rolling
+from omniproof.kinematics.scalars import Scalar, exact, tidy
 
 DIGITS = 60
 """Working precision of the test for singular numbers; below 10^-40 counts as zero."""
@@ -46,8 +44,8 @@ def rolling_speed(
     across n free. Source: Siegwart, Nourbakhsh, Scaramuzza, Autonomous Mobile Robots, 3.2.3
     (Swedish wheel, gamma = 0).
     """
-    (n_x, n_y), (q_x, q_y), (v_x, v_y) = direction, position, velocity
-    return n_x * (v_x - yaw_rate * q_y) + n_y * (v_y + yaw_rate * q_x)
+    n, q, v = (ImmutableMatrix([x, y, 0]) for x, y in (direction, position, velocity))
+    return rolling.rolling_speed(n, q, rolling.Twist(v, ImmutableMatrix([0, 0, yaw_rate])))
 
 
 def contact_position(angle: Scalar, body_radius: Scalar) -> ImmutableMatrix:
@@ -81,11 +79,11 @@ def wheel_matrix(
     if directions is not None and len(directions) != len(angles):
         raise ValueError(f"expected {len(angles)} directions, one a wheel, got {len(directions)}")
     driven = (
-        [tangential_direction(_exact(angle)) for angle in angles]
+        [tangential_direction(exact(angle)) for angle in angles]
         if directions is None
-        else [_unit_vector(_exact(direction)) for direction in directions]
+        else [_unit_vector(exact(direction)) for direction in directions]
     )
-    contacts = [contact_position(_exact(angle), _exact(body_radius)) for angle in angles]
+    contacts = [contact_position(exact(angle), exact(body_radius)) for angle in angles]
     return ImmutableMatrix([_row(n, q) for n, q in zip(driven, contacts, strict=True)])
 
 
@@ -133,28 +131,11 @@ def _row(direction: MatrixBase, position: MatrixBase) -> list[Expr]:
     """Gradient of the rolling speed by the twist."""
     twist = v_x, v_y, yaw_rate = Dummy("V_x"), Dummy("V_y"), Dummy("w")
     speed = rolling_speed(direction, position, ImmutableMatrix([v_x, v_y]), yaw_rate)
-    return [_tidy(speed.diff(component)) for component in twist]
+    return [tidy(speed.diff(component)) for component in twist]
 
 
 def _unit_vector(angle: Expr) -> ImmutableMatrix:
     return ImmutableMatrix([cos(angle), sin(angle)])
-
-
-def _exact(number: Scalar) -> Expr:
-    """Turn a number into SymPy's; a string is a `TypeError` here and is never parsed."""
-    return Integer(0) + number
-
-
-def _tidy(expression: Expr) -> Expr:
-    """Expand, and write sin^2 as 1 - cos^2: that gathers what Pythagoras gathers, and is fast."""
-    expanded = expand(expression)
-    if not expanded.is_Add:
-        return expanded
-    squared = expanded.replace(
-        lambda part: part.is_Pow and part.exp == 2 and isinstance(part.base, sin),
-        lambda part: 1 - cos(part.base.args[0]) ** 2,
-    )
-    return expand(squared)
 
 
 def _vanishes(determinant: Expr) -> bool:
