@@ -11,22 +11,24 @@ from matplotlib.figure import Figure
 
 from omniproof.kinematics.zonotope import faces
 from omniproof.papers.omni_arrangement.figures.parts import (
-    REDRAWN,
     TWIST_AXES,
     TYPES,
+    body_faces,
+    draw_body,
+    generators,
+)
+from omniproof.report.figure import Drawing, Floats, Row, long_form, points, rows
+from omniproof.report.sketch import (
+    REDRAWN,
     View,
     arrow,
-    body_faces,
     draw_axes,
-    draw_body,
     draw_triad,
-    generators,
     label,
     line,
     shown,
     tinted,
 )
-from omniproof.report.figure import Drawing, Floats, Row, long_form, points, rows
 from omniproof.report.svg import ACCENT, TYPE_COLORS, stage, styled
 
 SHOWN_TYPE = "X"

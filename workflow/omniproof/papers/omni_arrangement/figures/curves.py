@@ -14,8 +14,8 @@ from sympy import Expr, Symbol, lambdify
 from omniproof.kinematics.omni import twist_matrix, velocity_matrix
 from omniproof.kinematics.zonotope import projection, volume
 from omniproof.papers.omni_arrangement.arrangements import PARAMETER, SWEEP, isosceles
-from omniproof.papers.omni_arrangement.figures.parts import REDRAWN, label, shown
 from omniproof.report.figure import Drawing, long_form, points, rows
+from omniproof.report.sketch import REDRAWN, label, shown
 from omniproof.report.svg import (
     ACCENT,
     INK,

@@ -10,21 +10,20 @@ from matplotlib.figure import Figure
 from omniproof.kinematics.omni import velocity_matrix
 from omniproof.kinematics.zonotope import section, vertices
 from omniproof.papers.omni_arrangement.arrangements import CORRECTED
-from omniproof.papers.omni_arrangement.figures.parts import (
+from omniproof.papers.omni_arrangement.figures.parts import TYPES, generators
+from omniproof.report.figure import Drawing, Floats, long_form, points, rows
+from omniproof.report.sketch import (
     MUTED,
     REDRAWN,
-    TYPES,
     area,
     arrow,
     floats,
-    generators,
     label,
     line,
     outlined,
     shown,
     tinted,
 )
-from omniproof.report.figure import Drawing, Floats, long_form, points, rows
 from omniproof.report.svg import ACCENT, INK, SMALL_SIZE, TYPE_COLORS, WIDTH, stage, styled
 
 SWEPT_TYPE = "X"

@@ -13,19 +13,9 @@ from sympy import ImmutableMatrix, MatrixBase, Rational, cos, pi, sin
 
 from omniproof.kinematics.omni import contact_position, rolling_speed, tangential_direction
 from omniproof.papers.omni_arrangement.arrangements import CORRECTED, PRINTED
-from omniproof.papers.omni_arrangement.figures.parts import (
-    MUTED,
-    REDRAWN,
-    TYPES,
-    arrow,
-    circle,
-    floats,
-    label,
-    line,
-    shown,
-    wheel,
-)
+from omniproof.papers.omni_arrangement.figures.parts import TYPES
 from omniproof.report.figure import Drawing, Floats, Row, long_form, points, rows
+from omniproof.report.sketch import MUTED, REDRAWN, arrow, circle, floats, label, line, shown, wheel
 from omniproof.report.svg import ACCENT, INK, SMALL_SIZE, TYPE_COLORS, WIDTH, stage, styled
 
 HEADING = pi / 9
