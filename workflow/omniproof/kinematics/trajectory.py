@@ -24,11 +24,9 @@ from sympy import (
     Dummy,
     Expr,
     ImmutableMatrix,
-    Integer,
     MatrixBase,
     Symbol,
     atan2,
-    cos,
     exp,
     expand,
     eye,
@@ -37,12 +35,14 @@ from sympy import (
     integrate,
     pi,
     sign,
-    sin,
     sqrt,
 )
 
-from omniproof.kinematics.omni import Scalar, twist_matrix, wheel_matrix
-
+from omniproof.kinematics import frames
+from omniproof.kinematics.omni import twist_matrix, wheel_matrix
+from omniproof.kinematics.scalars import Scalar, exact
+from omniproof.kinematics.omni import twist_matrix, wheel_matrix
+from omniproof.kinematics.scalars import Scalar
 QUARTER_TURN = ImmutableMatrix([[0, -1], [1, 0]])
 """J: turns a vector counter-clockwise by 90 degrees."""
 
@@ -64,7 +64,7 @@ def body_twist(
 
 def rotation(angle: Scalar) -> ImmutableMatrix:
     """Rotation of the plane by `angle` (rad, counter-clockwise): 2x2."""
-    return ImmutableMatrix([[cos(angle), -sin(angle)], [sin(angle), cos(angle)]])
+    return frames.rotation("z", angle)[:2, :2]
 
 
 def world_from_body(heading: Scalar) -> ImmutableMatrix:
@@ -72,7 +72,7 @@ def world_from_body(heading: Scalar) -> ImmutableMatrix:
 
     Source: Siegwart, Nourbakhsh, Scaramuzza, Autonomous Mobile Robots, Eq. (3.2), inverted.
     """
-    return ImmutableMatrix.diag(rotation(heading), 1)
+    return frames.rotation("z", heading)[:3, :3]
 
 
 def world_velocity(twist: MatrixBase, heading: Scalar) -> ImmutableMatrix:
@@ -86,7 +86,7 @@ def heading(yaw_rate: Scalar, time: Symbol) -> Expr:
     Stays an `Integral` where SymPy finds no antiderivative.
     """
     passing = Dummy("s", nonnegative=True)
-    return integrate((Integer(0) + yaw_rate).subs(time, passing), (passing, 0, time))
+    return integrate(exact(yaw_rate).subs(time, passing), (passing, 0, time))
 
 
 def path_integrands(twist: MatrixBase, time: Symbol) -> ImmutableMatrix:
@@ -127,7 +127,7 @@ def direction(twist: MatrixBase) -> ImmutableMatrix:
 
 
 def direction_angle(twist: MatrixBase) -> Expr:
-    """Angle psi (rad, in (-pi, pi]) of the velocity; the quotient V_y / V_x alone loses its side."""
+    """Angle psi (rad, in (-pi, pi]) of the velocity; from V_y / V_x alone its side is lost."""
     return atan2(twist[1], twist[0])
 
 
@@ -144,7 +144,7 @@ def turning_integral(frequency: Scalar, time: Scalar, growth: Scalar = 0) -> Imm
 
     `frequency` n (rad/s), `growth` k (1/s); where both are known to vanish, G = time.
     """
-    growth, frequency = (expand(Integer(0) + number) for number in (growth, frequency))
+    growth, frequency = (expand(exact(number)) for number in (growth, frequency))
     square = growth**2 + frequency**2
     if square == 0:
         return ImmutableMatrix(time * eye(2))
