@@ -41,8 +41,7 @@ from sympy import (
 from omniproof.kinematics import frames
 from omniproof.kinematics.omni import twist_matrix, wheel_matrix
 from omniproof.kinematics.scalars import Scalar, exact
-from omniproof.kinematics.omni import twist_matrix, wheel_matrix
-from omniproof.kinematics.scalars import Scalar
+
 QUARTER_TURN = ImmutableMatrix([[0, -1], [1, 0]])
 """J: turns a vector counter-clockwise by 90 degrees."""
 
@@ -72,7 +71,7 @@ def world_from_body(heading: Scalar) -> ImmutableMatrix:
 
     Source: Siegwart, Nourbakhsh, Scaramuzza, Autonomous Mobile Robots, Eq. (3.2), inverted.
     """
-    return frames.rotation("z", heading)[:3, :3]
+    return frames.axes(frames.rotation("z", heading))
 
 
 def world_velocity(twist: MatrixBase, heading: Scalar) -> ImmutableMatrix:
