@@ -1,4 +1,4 @@
-"""Paths against numeric mechanics: NumPy inverts the wheel matrix, Runge and Kutta move the body."""
+"""Paths against numeric mechanics: NumPy inverts the matrix, Runge and Kutta move the body."""
 
 from __future__ import annotations
 
