@@ -1,0 +1,30 @@
+"""The quantities of this paper's laws, shared by theorems and figures."""
+
+from __future__ import annotations
+
+from sympy import Expr, ImmutableMatrix, Symbol, diag
+
+from omniproof.kinematics import ballbot
+
+PHI = Symbol("phi", real=True)
+"""Zenith angle of the wheels, from the lowest point of the inner surface (rad)."""
+
+RUNNING_RADIUS = Symbol("L", positive=True)
+BALL_RADIUS = Symbol("rho", positive=True)
+"""Radii of the inner running surface and of the ball (m); the wall of the ball lies between."""
+
+
+def rolling() -> ImmutableMatrix:
+    """Law of the rolling ball on (v_x, v_y, yaw rate relative to the ball): 3x3."""
+    return ballbot.relative_law(PHI, RUNNING_RADIUS, BALL_RADIUS)
+
+
+def at_rest() -> ImmutableMatrix:
+    """Law of the same platform over a surface at rest, on (v_x, v_y, yaw rate): 3x3."""
+    return ballbot.law_over_surface_at_rest(PHI, RUNNING_RADIUS)
+
+
+def gram(law: ImmutableMatrix, length: Expr) -> ImmutableMatrix:
+    """A^T A of a law on (v_x, v_y, `length` times the yaw rate): 3x3, dimensionless."""
+    scaled = law * diag(1, 1, 1 / length)
+    return ImmutableMatrix(scaled.T * scaled)
