@@ -237,8 +237,8 @@ THEOREMS = (
         "The printed law is that of a ball held fast",
         r"The matrix of (10) is the wheel matrix of a planar robot with the body radius "
         r"$L\sin\phi$: the platform moves over a surface at rest. Inside a rolling ball, (10) "
-        r"gives the wheel speeds of exactly those motions in which the ball stands still and only the "
-        r"platform turns; for every other motion at least one of the three is wrong, whatever "
+        r"gives the wheel speeds of exactly those motions in which the ball stands still and only "
+        r"the platform turns; for every other motion at least one of the three is wrong, whatever "
         r"$\phi$ in $(0, \pi)$ and $L \le \rho$.",
         PAPER,
         (
@@ -276,8 +276,8 @@ THEOREMS = (
         r"Only the difference $\omega_p - \omega_b$ turns wheels. If platform and ball had one yaw "
         r"rate, no wheel would turn at all; and wheels that are all driven at one speed turn the "
         r"platform one way as well as the ball the other way. Which of the two turns is decided "
-        r"by forces, friction on the ground and inertia, and not by kinematics. The yaw rate of (10) "
-        r"is that of the platform where the ball does not spin.",
+        r"by forces, friction on the ground and inertia, and not by kinematics. The yaw rate of "
+        r"(10) is that of the platform where the ball does not spin.",
         PAPER,
         (
             Step("The column of the spin is minus that of the yaw rate.", _opposite_yaws),
