@@ -40,6 +40,13 @@ ROWS = [
         derived=r"\Gamma\left(x\right)"),
     row("eq:11", "verified", "it rests on a row with a fault", printed="y", derived="y",
         follows="eq:6[2,3]"),
+    row("eq:13[1]", "model-gap", "right by the premise, wrong by mechanics", printed="x",
+        derived=r"x \cos {y}", correction=r"x \cos {y}", repair="manual", consequence="motion",
+        witness="x=20/9; y=-26/9; printed=2.222; derived=-2.152"),
+    row("eq:13[2]", "verified", "premise and mechanics agree", printed="y", derived="y"),
+    row("eq:13[3]", "erratum", "wrong by the premise too", printed="2 x",
+        derived=r"x \cos {y}", correction=r"x \cos {y}", repair="manual", consequence="motion",
+        witness="x=20/9; y=-26/9; printed=4.444; derived=-2.152"),
     row("sec:1/grows", "verified", "1 < 2 < 3", printed="it grows"),
     row("sec:1/shrinks", "erratum", "1 < 2, and the correction is proved", printed="it shrinks",
         correction="it grows", repair="manual", consequence="motion",
@@ -49,6 +56,12 @@ ROWS = [
         witness="x=20/9; y=-26/9; printed=2.222; derived=-2.889"),
     row("sec:1/unproved", "undecided", "the correction x = 2y is not proved",
         printed="they agree", witness="x=20/9; y=-26/9; printed=2.222; derived=-2.889"),
+    row("sec:1/modelled", "model-gap", "the premise makes them agree", printed="they agree",
+        correction="no", repair="manual", consequence="motion",
+        witness="x=20/9; y=-26/9; printed=2.222; derived=-2.889"),
+    row("sec:1/neither", "erratum", "the premise does not help", printed="they agree",
+        correction="no", repair="manual", consequence="motion",
+        witness="x=20/9; y=-26/9; printed=2.222; derived=-2.889"),
     row("eq:12", "verified", "xy > 0 iff the signs agree", printed="x y > 0"),
     row("sec:1/angles", "verified", "t = 210 degrees",
         printed=r"\{210^\circ, 270^\circ, 330^\circ\}"),
@@ -139,11 +152,11 @@ def test_engines_and_notes(name: str, engines: str, note: str, rows: dict[str, R
 def test_rows_stand_in_order_of_place_and_claims_are_counted_without_entries(
     tiny_ledger: Ledger,
 ) -> None:
-    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 37)
+    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 40)
     assert [row.id for row in tiny_ledger.rows[:9]] == [
         "eq:1", "eq:6[1,1]", "eq:6[1,2]", "eq:6[1,3]", "eq:6[2,1]", "eq:6[2,2]", "eq:6[2,3]",
         "eq:7", "eq:8"]  # fmt: skip
-    assert len(tiny_ledger.rows) == 37 + 5
+    assert len(tiny_ledger.rows) == 40 + 5 + 2
 
 
 def test_the_same_paper_gives_the_same_bytes(tiny_folder: Path, tiny_ledger: Ledger) -> None:

@@ -23,7 +23,7 @@ from sympy import (
 
 from omniproof.audit.ledger import Verdict
 from omniproof.audit.readings import Read
-from omniproof.registry import Convention, Obligation, Registry, Relation
+from omniproof.registry import Convention, Modelled, Obligation, Registry, Relation
 from omniproof.transcription.model import Form
 
 x, y, t = symbols("x y t", real=True)
@@ -61,10 +61,17 @@ claims:
   - {id: 'eq:9', kind: identity, line: 5, says: nonsense, latex: '3 x'}
   - {id: 'eq:10', kind: identity, line: 6, says: beyond us, latex: 'x'}
   - {id: 'eq:11', kind: identity, line: 7, says: the number y, latex: 'y'}
+  - id: eq:13
+    kind: identity
+    line: 8
+    says: a model
+    latex: '\begin{pmatrix} x \\ y \\ 2 x \end{pmatrix}'
   - {id: 'sec:1/grows', kind: relation, line: 10, says: it grows, asserts: {form: increasing}}
   - {id: 'sec:1/shrinks', kind: relation, line: 11, says: it shrinks, asserts: {form: decreasing}}
   - {id: 'sec:1/same', kind: relation, line: 12, says: they agree, asserts: {form: equal}}
   - {id: 'sec:1/unproved', kind: relation, line: 13, says: they agree, asserts: {form: equal}}
+  - {id: 'sec:1/modelled', kind: relation, line: 13, says: they agree, asserts: {form: equal}}
+  - {id: 'sec:1/neither', kind: relation, line: 13, says: they agree, asserts: {form: equal}}
   - id: eq:12
     kind: relation
     line: 14
@@ -189,6 +196,9 @@ def _identities() -> dict[str, Any]:
         "eq:9": sin(x) * cos(y),
         "eq:10": gamma(x),
         "eq:11": y,
+        "eq:13": Modelled(
+            ImmutableMatrix([x * cos(y), y, x * cos(y)]), ImmutableMatrix([x, y, x]), "it rests"
+        ),
     }
 
 
@@ -205,6 +215,8 @@ def _relations() -> dict[str, Relation]:
         "sec:1/unproved": Relation(
             (x, y), correction="x = 2y", proof=(Obligation(Form.EQUAL, (x, 2 * y)),)
         ),
+        "sec:1/modelled": Relation((x, y), correction="no", premises=(x + y, y + x)),
+        "sec:1/neither": Relation((x, y), correction="no", premises=(x, 2 * y)),
         "eq:12": Relation(Or(And(x > 0, y > 0), And(x < 0, y < 0))),
         "sec:1/angles": Relation((t, pi - t, 3 * pi / 2)),
         "sec:1/best": Relation({"a": Integer(1), "b": Integer(2)}),

@@ -19,9 +19,22 @@ from omniproof.transcription.model import Form
 Derived: TypeAlias = Any
 """What a derivation returns, by the kind of its claim (SymPy publishes no types):
 
-identity: an expression, or a matrix for a printed one; value: an exact number; relation: a
-`Relation`, or just its subject.
+identity: an expression, or a matrix for a printed one, or `Modelled` where the paper's premises and
+mechanics part; value: an exact number; relation: a `Relation`, or just its subject.
 """
+
+
+@dataclass(frozen=True)
+class Modelled:
+    """The derived side of an identity whose premises contradict the mechanics they describe.
+
+    `mechanics` is what the printed form is judged against; `premises` is what follows from the
+    paper's own premises (both expressions, or matrices of one shape); `gap` names the premise.
+    """
+
+    mechanics: Expr | MatrixBase
+    premises: Expr | MatrixBase
+    gap: str
 
 
 @dataclass(frozen=True)
@@ -69,12 +82,14 @@ class Relation:
 
     Where the printed relation is false, `correction` says what holds instead, or `condition` under
     which condition the printed one holds; either counts only when all of `proof` is proved.
+    `premises` is the subject as the paper's own premises have it, where mechanics contradicts them.
     """
 
     subject: Subject
     correction: str = ""
     condition: str = ""
     proof: tuple[Obligation, ...] = ()
+    premises: Subject = None
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.mending import Mended, mend
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
+from omniproof.registry import Modelled
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
 from omniproof.transcription.tree import Span
@@ -26,6 +27,7 @@ class Cell:
 
     `places` says which part of the text each side is; for the entry of a matrix that is the text.
     `factor` stands before a printed matrix: it belongs to the sides, and not to the text.
+    `premises` is what the paper's own premises give, where mechanics contradicts one: the `gap`.
     """
 
     id: str
@@ -35,6 +37,8 @@ class Cell:
     derived: Any
     factor: Any = 1
     domain: Domain = REALS
+    premises: Any = None
+    gap: str = ""
 
 
 def judge_identity(claim: Claim, context: Context) -> list[Row]:
@@ -48,12 +52,26 @@ def count_faults(claim: Claim, context: Context) -> int:
 
 
 def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
-    domain = context.domain(claim.id)
-    return (replace(cell, domain=domain) for cell in _printed_cells(claim, context))
+    domain, derived = context.domain(claim.id), context.derive(claim.id)
+    if not isinstance(derived, Modelled):
+        cells = _printed_cells(claim, context, derived)
+        return (replace(cell, domain=domain) for cell in cells)
+    return (
+        replace(cell, domain=domain, premises=granted, gap=derived.gap)
+        for cell, granted in zip(
+            _printed_cells(claim, context, derived.mechanics),
+            _flat(derived.premises),
+            strict=True,
+        )
+    )
 
 
-def _printed_cells(claim: Claim, context: Context) -> Iterator[Cell]:
-    derived = context.derive(claim.id)
+def _flat(value: Any) -> list[Any]:
+    """Entries of a matrix in printed order; an expression is its only one."""
+    return list(entries(value).values()) if isinstance(value, MatrixBase) else [value]
+
+
+def _printed_cells(claim: Claim, context: Context, derived: Any) -> Iterator[Cell]:
     nodes = context.sides(claim.id)
     values = tuple(context.evaluate(claim.id, node) for node in nodes)
     text = context.printed(claim.id)
@@ -78,6 +96,10 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
     row = answered(start(claim, context, cell.id).model_copy(update=shown), answer, context)
     if row.verdict is not Verdict.ERRATUM:
         return row
+    if _follows_from_premises(cell):
+        fields = {"verdict": Verdict.MODEL_GAP, "repair": Repair.MANUAL}
+        row = row.model_copy(update={"correction": row.derived, **fields})
+        return with_note(row, f"It follows from a premise that mechanics contradicts: {cell.gap}")
     mended = _mend(cell, place, claim.id, context)
     if mended:
         row = row.model_copy(update={"correction": mended.text, "repair": mended.grade})
@@ -94,6 +116,17 @@ def _compare(cell: Cell) -> tuple[Answer, int]:
             return answer, place
         engines = merge(engines, answer.engines)
     return Proved(engines), 0
+
+
+def _follows_from_premises(cell: Cell) -> bool:
+    """Whether each side is what mechanics implies, or what the paper's own premises do."""
+    if cell.premises is None:
+        return False
+    return all(
+        isinstance(confirmed_equal(side, cell.derived, cell.domain), Proved)
+        or isinstance(confirmed_equal(side, cell.premises, cell.domain), Proved)
+        for side in cell.sides
+    )
 
 
 def _mend(cell: Cell, place: int, claim: str, context: Context) -> Mended | None:

@@ -19,7 +19,7 @@ from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Comparison, Node, names, walk
+from omniproof.transcription.tree import Chain, Comparison, Node, names, walk
 from omniproof.transcription.verbatim import normalise
 
 
@@ -86,7 +86,15 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
     relation = context.relation(claim.id)
     answer = _judge_form(claim, relation, context)
     row = answered(start(claim, context), answer, context)
-    return _mended(row, relation, answer.engines) if isinstance(answer, Refuted) else row
+    if not isinstance(answer, Refuted):
+        return row
+    row = _mended(row, relation, answer.engines)
+    if relation.premises is None or row.verdict is not Verdict.ERRATUM:
+        return row
+    granted = _judge_form(claim, replace(relation, subject=relation.premises), context)
+    if isinstance(granted, Proved):
+        return row.model_copy(update={"verdict": Verdict.MODEL_GAP})
+    return row
 
 
 def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
@@ -219,9 +227,11 @@ def _symbols_at(target: str, context: Context) -> set[str]:
 
 
 def _defining(symbol: str, context: Context) -> list[str]:
-    """Equations that print a symbol alone, as the left side of what they say."""
+    """Equations that print a symbol alone, or as the left side of what they say."""
     trees = context.loaded.trees.items()
-    return [_object(id_) for id_, tree in trees if getattr(tree, "name", None) == symbol]
+    lefts = ((id_, tree.sides[0] if isinstance(tree, Chain) else tree) for id_, tree in trees)
+    found = (_object(id_) for id_, left in lefts if getattr(left, "name", None) == symbol)
+    return list(dict.fromkeys(found))
 
 
 def _judge_reading(claim: Claim, context: Context) -> Row:
