@@ -183,21 +183,29 @@ def test_witness(outline: type, witness: str, expected: str) -> None:
     assert outline(witness_html(witness)).text == expected
 
 
-def test_editions_name_the_text_that_was_read(outline: type) -> None:
+@pytest.mark.parametrize(
+    ("year", "printed"),
+    [
+        pytest.param(1999, "Journal 1(2), 3, 1999.", id="as printed"),
+        pytest.param(None, "Journal 1(2), 3.", id="a text that does not say its year"),
+    ],
+)
+def test_editions_name_the_text_that_was_read(
+    year: int | None, printed: str, outline: type
+) -> None:
     html = edition_html(
         "p",
         Edition(
             title="On <wheels>",
             authors=("A. One", "B. Two"),
-            year=1999,
+            year=year,
             venue="Journal 1(2), 3",
             source="p.txt",
             sha256="0123456789abcdef" * 4,
         ),
     )
     assert outline(html).text == (
-        "On <wheels>A. One, B. Two. Journal 1(2), 3, 1999."
-        "Text recognition p.txt, SHA-256 0123456789abcdef…"
+        f"On <wheels>A. One, B. Two. {printed}Text recognition p.txt, SHA-256 0123456789abcdef…"
     )
     assert outline(html).links == ["p.html"]
 

@@ -24,8 +24,10 @@ ENTRIES = [
     pytest.param(r"(a, b, c) + (x, y)", (1,), (3, 1), "a", id="the shape chooses"),
     pytest.param(r"(a, b, c) + (x, y)", (1,), None, None, id="no choice without the shape"),
     pytest.param("a + b", (1,), None, None, id="no vector"),
+    pytest.param(r"\begin{pmatrix} a & b \\ c & d \end{pmatrix}^{-1}", (1, 2), None, None,
+                 id="an inverse has other entries"),
     pytest.param(r"\{a, b\}", (1,), None, None, id="a set has no order"),
-]
+]  # fmt: skip
 
 
 @pytest.mark.parametrize(("text", "index", "shape", "entry"), ENTRIES)

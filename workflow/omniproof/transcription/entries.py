@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from omniproof.transcription.tree import MatrixLiteral, Node, Tuple, walk
+from omniproof.transcription.tree import MatrixLiteral, Node, Power, Tuple, children
 
 
 def entry_source(
@@ -13,13 +13,22 @@ def entry_source(
     """Return entry `index` (one or two numbers from 1) of the matrix or vector in a tree, verbatim.
 
     `text` is what `node` was read from; `shape` (rows, columns) narrows the choice. `None` where
-    no printed matrix has such an entry, or more than one.
+    no printed matrix has such an entry, or more than one. The entries of a matrix that is raised
+    to a power, or inverted, are not those of the result.
     """
-    found = [grid for grid in map(_grid, walk(node)) if grid and _fits(grid, index, shape)]
+    grids = map(_grid, _outside_powers(node))
+    found = [grid for grid in grids if grid and _fits(grid, index, shape)]
     if len(found) != 1:
         return None
     entry = _entry(found[0], index)
     return text[entry.span[0] : entry.span[1]]
+
+
+def _outside_powers(node: Node) -> Iterator[Node]:
+    """The node and what is below it, except the base of a power."""
+    yield node
+    for child in () if isinstance(node, Power) else children(node):
+        yield from _outside_powers(child)
 
 
 def _grid(node: Node) -> tuple[tuple[Node, ...], ...]:

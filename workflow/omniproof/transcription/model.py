@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from enum import StrEnum
-from typing import Annotated, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import (
     BaseModel,
@@ -138,6 +138,7 @@ class Notation(Record):
 
     functions: dict[str, str] = Field(default_factory=dict)  # shorthand letter -> function: c: cos
     slash: str | None = Field(default=None, pattern="^(first|all)$")  # what 1/3L divides by
+    angles: Literal["degrees"] | None = None  # what 90 is in cos(90 + a), where no sign says it
 
 
 class Claim(Record):
@@ -213,11 +214,11 @@ class Table(Record):
 
 
 class Edition(Record):
-    """Which text was audited."""
+    """Which text was audited; `year` is left out where the text does not say it."""
 
     title: Text
     authors: tuple[Text, ...] = Field(min_length=1)
-    year: int
+    year: int | None = None
     venue: Text
     source: Annotated[str, StringConstraints(pattern=r"^[a-z0-9-]+\.txt$")]
     sha256: Annotated[str, StringConstraints(pattern=r"^[0-9a-f]{64}$")]

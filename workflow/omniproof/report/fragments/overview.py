@@ -151,9 +151,10 @@ def read_edition(folder: Path) -> Edition:
 def edition_html(paper: str, edition: Edition) -> str:
     """Return one paper's title (a link to its chapter), authors, venue and the text's checksum."""
     authors = ", ".join(edition.authors)
+    printed = ", ".join(str(part) for part in (edition.venue, edition.year) if part)
     return (
         f'<li><a href="{escape(paper)}.html"><cite>{escape(edition.title)}</cite></a><br>'
-        f"{escape(authors)}. {escape(edition.venue)}, {edition.year}.<br>"
+        f"{escape(authors)}. {escape(printed)}.<br>"
         f'<span class="quiet">Text recognition {escape(edition.source)}, SHA-256 '
         f"<code>{edition.sha256[:16]}…</code></span></li>"
     )
