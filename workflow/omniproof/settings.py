@@ -23,12 +23,21 @@ NOTHING: Mapping[str, Any] = {}
 
 
 class PaperSettings(BaseModel):
-    """What is made for one paper: its tables and figures, by the numbers of their captions."""
+    """What is made for one paper: its tables and figures, by the numbers of their captions.
+
+    `drawings` are figures that the paper does not have, by name.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     tables: tuple[Number, ...] = ()
     figures: tuple[Number, ...] = ()
+    drawings: tuple[Key, ...] = ()
+
+    @property
+    def pictures(self) -> tuple[int | str, ...]:
+        """Numbers and names of all that is drawn."""
+        return (*self.figures, *self.drawings)
 
 
 class MutationSettings(BaseModel):

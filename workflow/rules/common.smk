@@ -77,7 +77,7 @@ def figures_of(*papers, suffix="svg"):
     return [
         f"results/figures/{paper}/figure-{number}.{suffix}"
         for paper in papers
-        for number in settings.papers[paper].figures
+        for number in settings.papers[paper].pictures
     ]
 
 

@@ -21,7 +21,7 @@ for paper, made in settings.papers.items():
             drawings=paper_module(paper, "figures"),
             package=package("report.drawing"),
         output:
-            pictures=reported("figure", paper, made.figures, figures_of(paper)),
+            pictures=reported("figure", paper, made.pictures, figures_of(paper)),
             data=figures_of(paper, suffix="csv"),
             abouts=abouts_of(paper),
         params:

@@ -10,19 +10,15 @@ Source: Paul, Robot Manipulators: Mathematics, Programming, and Control (1981), 
 
 from __future__ import annotations
 
-from typing import Literal, TypeAlias
-
 from sympy import ImmutableMatrix, MatrixBase, cos, eye, sin, trigsimp, zeros
 
 from omniproof.kinematics.scalars import Scalar, exact
-
-Axis: TypeAlias = Literal["x", "y", "z"]
 
 UNIT = {axis: ImmutableMatrix(eye(3)[:, k]) for k, axis in enumerate("xyz")}
 """Unit vectors (3x1) by the name of the axis."""
 
 
-def rotation(axis: Axis, angle: Scalar) -> ImmutableMatrix:
+def rotation(axis: str, angle: Scalar) -> ImmutableMatrix:
     """Turn by `angle` (rad) about an axis of the frame: 4x4.
 
     Raises `ValueError` for another axis.
@@ -34,7 +30,7 @@ def rotation(axis: Axis, angle: Scalar) -> ImmutableMatrix:
     return _homogeneous(block, zeros(3, 1))
 
 
-def translation(axis: Axis, distance: Scalar) -> ImmutableMatrix:
+def translation(axis: str, distance: Scalar) -> ImmutableMatrix:
     """Move by `distance` (m) along an axis of the frame: 4x4.
 
     Raises `ValueError` for another axis.
@@ -97,7 +93,7 @@ def components(motion: MatrixBase) -> tuple[ImmutableMatrix, ImmutableMatrix]:
     return turn, ImmutableMatrix(motion[:3, 3])
 
 
-def _unit(axis: Axis) -> ImmutableMatrix:
+def _unit(axis: str) -> ImmutableMatrix:
     if axis not in UNIT:
         raise ValueError(f"expected an axis x, y or z, got {axis!r}")
     return UNIT[axis]

@@ -14,24 +14,25 @@ DIGITS = "%.12g"
 """Fewer than a double holds: its last bits differ between processors."""
 
 
-def load_figures(paper: str) -> Mapping[int, Drawing]:
-    """Return the figures of a paper by number, from its module `figures`.
+def load_figures(paper: str) -> Mapping[int | str, Drawing]:
+    """Return the figures of a paper by number or name, from its module `figures`.
 
     Raises `ModuleNotFoundError` when the paper has none.
     """
     module = import_module(f"omniproof.papers.{paper.replace('-', '_')}.figures")
-    figures: Mapping[int, Drawing] = module.FIGURES
+    figures: Mapping[int | str, Drawing] = module.FIGURES
     return figures
 
 
 def write_figures(paper: str, folder: Path) -> None:
     """Write `figure-N.svg` and `figure-N.csv` for each figure of a paper, and `figures.json`.
 
-    The JSON file has a record for each figure: number, title, alt text and caption.
+    The JSON file has a record for each figure: number or name, title, alt text and
+    caption.
     """
     records = [
         _write(drawing, folder / f"figure-{number}", f"{paper}-figure-{number}")
-        for number, drawing in sorted(load_figures(paper).items())
+        for number, drawing in load_figures(paper).items()
     ]
     text = json.dumps(records, indent=1, ensure_ascii=False)
     (folder / "figures.json").write_text(text + "\n", encoding="utf-8")

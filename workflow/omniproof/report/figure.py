@@ -27,10 +27,11 @@ class Drawing:
     """One figure: `data` gives the frame (`COLUMNS`), `draw` draws it, `describe` says it in words.
 
     `caption` says how the figure was made; `describe` gets the frame, so that numbers in the alt
-    text are those drawn.
+    text are those drawn. `number` is that of the paper's caption, or a name for a drawing that the
+    paper does not have.
     """
 
-    number: int
+    number: int | str
     title: str
     caption: str
     data: Callable[[], pd.DataFrame]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Expr, ImmutableMatrix, Symbol, diag
+from sympy import Expr, ImmutableMatrix, Symbol, atan, diag, sqrt
 
 from omniproof.kinematics import ballbot
 
@@ -12,6 +12,9 @@ PHI = Symbol("phi", real=True)
 RUNNING_RADIUS = Symbol("L", positive=True)
 BALL_RADIUS = Symbol("rho", positive=True)
 """Radii of the inner running surface and of the ball (m); the wall of the ball lies between."""
+
+ISOTROPIC = atan(1 / sqrt(2))
+"""Zenith angle (rad) at which the law of the rolling ball is isotropic; see `thm:zenith-angle`."""
 
 
 def rolling() -> ImmutableMatrix:

@@ -11,7 +11,6 @@ from sympy import (
     MatrixBase,
     Rational,
     Symbol,
-    atan,
     cos,
     diag,
     eye,
@@ -25,6 +24,7 @@ from sympy import (
 from omniproof.kinematics import ballbot, frames, omni
 from omniproof.papers.ballbot.laws import (
     BALL_RADIUS,
+    ISOTROPIC,
     PHI,
     RUNNING_RADIUS,
     at_rest,
@@ -40,7 +40,6 @@ SCALE = RUNNING_RADIUS / BALL_RADIUS * cos(PHI)
 LEVER = RUNNING_RADIUS * sin(PHI)
 """What stands before the velocity and before the yaw rate in the law of the rolling ball."""
 
-BEST = atan(1 / sqrt(2))
 EQUATOR = pi / 2
 DETERMINANT = 3 * sqrt(3) / 2 * LEVER
 
@@ -157,13 +156,13 @@ def _grams() -> Sequence[Obligation]:
 def _isotropic_angles() -> Sequence[Obligation]:
     thin = {RUNNING_RADIUS: BALL_RADIUS}
     printed = gram(at_rest(), BALL_RADIUS).subs(thin).subs(PHI, pi / 4)
-    right = gram(rolling(), BALL_RADIUS).subs(PHI, BEST)
+    right = gram(rolling(), BALL_RADIUS).subs(PHI, ISOTROPIC)
     return [_equal(printed[0, 0], printed[2, 2]), _equal(right[0, 0], right[2, 2])]
 
 
 def _perpendicular_axes() -> Sequence[Obligation]:
     """Turning axes of the ball under each wheel: position x driven direction."""
-    contacts = [ballbot.contact_frame(a, BEST, RUNNING_RADIUS) for a in ballbot.AZIMUTHS]
+    contacts = [ballbot.contact_frame(a, ISOTROPIC, RUNNING_RADIUS) for a in ballbot.AZIMUTHS]
     levers = [frames.origin(c).cross(frames.axes(c)[:, 1]) for c in contacts]
     return [_equal(levers[i].dot(levers[j]), Integer(0)) for i, j in ((0, 1), (0, 2), (1, 2))]
 
@@ -174,7 +173,7 @@ def _largest_determinants() -> Sequence[Obligation]:
     right, printed = (law.det(method="berkowitz").subs(unit) for law in (rolling(), at_rest()))
     lower, whole = {PHI: (Integer(0), EQUATOR)}, {PHI: (Integer(0), pi)}
     return [
-        Obligation(Form.MAXIMUM, Family(right, lower), at=((BEST,),)),
+        Obligation(Form.MAXIMUM, Family(right, lower), at=((ISOTROPIC,),)),
         Obligation(Form.MAXIMUM, Family(printed, whole), at=((EQUATOR,),)),
     ]
 

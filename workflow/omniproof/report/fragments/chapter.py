@@ -91,8 +91,8 @@ class Chapter:
         ]
         return Fragment(table(["place", "printed", "holds for"], body, "grid"), "conditions")
 
-    def figure(self, number: int) -> Fragment:
-        """Show figure N of the paper as it was drawn again."""
+    def figure(self, number: int | str) -> Fragment:
+        """Show figure N of the paper as it was drawn again, or a drawing of our own by its name."""
         data = f"figures/{self.ledger.paper}/figure-{number}"
         drawing = self.results / f"{data}.svg"
         about = read_about(drawing.parent, number)

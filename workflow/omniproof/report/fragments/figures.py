@@ -18,7 +18,7 @@ class About(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="ignore")
 
-    number: int
+    number: int | str
     title: str
     alt: str
     caption: str
@@ -27,7 +27,7 @@ class About(BaseModel):
 _LIST = TypeAdapter(tuple[About, ...])
 
 
-def read_about(folder: Path, number: int) -> About:
+def read_about(folder: Path, number: int | str) -> About:
     """Read what is to be said of figure N from the folder of a paper's figures.
 
     Raises `ValueError` when nothing is said of this figure.
@@ -44,14 +44,17 @@ def figure_html(svg: str, about: About, address: str, data: str) -> str:
     svg: text of the file; address: id of the element; data: path on the site of SVG and CSV,
     without suffix.
     """
+    numbered = isinstance(about.number, int)
+    heading = f"Figure {about.number}. " if numbered else ""
+    name = f"Figure {about.number}" if numbered else escape(about.title)
     links = "".join(
-        f' <a href="{escape(data)}.{suffix}" title="Figure {about.number}">{word}</a>'
+        f' <a href="{escape(data)}.{suffix}" title="{name}">{word}</a>'
         for suffix, word in (("svg", "SVG"), ("csv", "CSV"))
     )
     return (
         f'<figure class="drawn" id="{address}"><div class="drawing">'
         f"{_labelled(_prefixed(_NOT_DRAWING.sub('', svg).strip(), f'{address}-'), about)}</div>"
-        f"<figcaption><b>Figure {about.number}. {inline(about.title)}.</b> "
+        f"<figcaption><b>{heading}{inline(about.title)}.</b> "
         f'{inline(about.caption)}<span class="downloads">{links}</span></figcaption></figure>'
     )
 

@@ -13,7 +13,7 @@ from omniproof.report.figure import Drawing
 
 _ALL = (*SKETCHES, *BODIES, *PLANE, *CURVES)
 
-FIGURES: Mapping[int, Drawing] = MappingProxyType(
-    {drawing.number: drawing for drawing in sorted(_ALL, key=lambda drawing: drawing.number)}
+FIGURES: Mapping[int | str, Drawing] = MappingProxyType(
+    {drawing.number: drawing for drawing in sorted(_ALL, key=lambda drawing: str(drawing.number))}
 )
 """Drawings by figure number."""
