@@ -45,7 +45,7 @@ def _flat(matrix: MatrixBase) -> Floats:
 
 
 def _segment(panel: str, series: str, start: ArrayLike, end: ArrayLike) -> Iterator[Row]:
-    return rows(panel, series, [start, end])
+    return rows(panel, series, np.stack([np.asarray(start), np.asarray(end)]))
 
 
 def frames_data() -> pd.DataFrame:
