@@ -14,3 +14,9 @@ from omniproof.audit.run import audit_paper
 def omni_arrangement(root: Path) -> Ledger:
     """Return the ledger of the paper as it stands in the repository."""
     return audit_paper(root / "paper_data" / "omni-arrangement")
+
+
+@pytest.fixture(scope="session")
+def ballbot(root: Path) -> Ledger:
+    """Return the ledger of the paper as it stands in the repository."""
+    return audit_paper(root / "paper_data" / "ballbot")
