@@ -1,9 +1,8 @@
-"""The redrawn figures: each draws from its data, is legible on a phone, and shows what is true."""
+"""The figures of the arrangement paper show what is true; see `test_every_figure` for the rest."""
 
 from __future__ import annotations
 
 import math
-import re
 from functools import cache
 from itertools import combinations, product
 from typing import Any
@@ -11,8 +10,6 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
-from matplotlib.figure import Figure
-from matplotlib.text import Text
 
 from omniproof.papers.omni_arrangement.arrangements import (
     CORRECTED,
@@ -21,31 +18,14 @@ from omniproof.papers.omni_arrangement.arrangements import (
     isosceles,
 )
 from omniproof.papers.omni_arrangement.figures import FIGURES
-from omniproof.report.figure import COLUMNS, points
-from omniproof.report.svg import svg_text
+from omniproof.report.figure import points
 
-PHONE = 360
-SMALLEST = 9.5
-NUMBERS = [pytest.param(number, id=f"figure {number}") for number in FIGURES]
 TYPES = [pytest.param(kind, id=f"type {kind}") for kind in CORRECTED]
 
 
 @cache
 def frame(number: int) -> pd.DataFrame:
     return FIGURES[number].data()
-
-
-@cache
-def picture(number: int) -> Figure:
-    figure = FIGURES[number].draw(frame(number))
-    figure.draw_without_rendering()  # puts the labels of axes in their places
-    return figure
-
-
-def text_of(number: int) -> str:
-    drawing = FIGURES[number]
-    figure = drawing.draw(drawing.data())
-    return svg_text(figure, title=drawing.title, alt=drawing.alt, prefix=f"figure-{number}")
 
 
 def numeric(kind: str) -> Any:
@@ -66,69 +46,6 @@ def shoelace(polygon: Any) -> float:
 
 def test_figures_are_those_of_the_paper() -> None:
     assert list(FIGURES) == [1, 2, 3, 4, 5, 6, 7, 8]
-    assert [drawing.number for drawing in FIGURES.values()] == list(FIGURES)
-
-
-@pytest.mark.parametrize("number", NUMBERS)
-def test_data_are_in_long_form(number: int) -> None:
-    data = frame(number)
-    assert list(data.columns) == COLUMNS
-    assert len(data) > 0
-    assert not data[["panel", "series", "x", "y"]].isna().any(axis=None)
-    assert np.isfinite(data[["x", "y"]].to_numpy(dtype=float)).all()
-
-
-@pytest.mark.parametrize("number", NUMBERS)
-def test_words_say_what_and_how(number: int) -> None:
-    drawing = FIGURES[number]
-    assert drawing.title
-    assert len(drawing.alt) > 60
-    assert "nan" not in drawing.alt.lower().split()
-    assert "Redrawn from the text and the equations" in drawing.caption
-
-
-@pytest.mark.parametrize("number", NUMBERS)
-def test_picture_has_same_bytes_twice_and_no_raster(number: int) -> None:
-    text = text_of(number)
-    assert text == text_of(number)
-    assert "<image" not in text
-    assert "data:" not in text
-    assert len(text.encode()) < 120_000
-    ids = re.findall(r'\sid="([^"]+)"', text)
-    assert len(ids) == len(set(ids))
-    assert all(name.startswith(f"figure-{number}-") for name in ids)
-
-
-@pytest.mark.parametrize("number", NUMBERS)
-def test_letters_are_legible_on_a_phone(number: int) -> None:
-    figure = picture(number)
-    pixels_per_point = PHONE / (figure.get_figwidth() * 72)
-    sizes = [float(text.get_fontsize()) for text in figure.findobj(Text) if text.get_text()]
-    assert sizes
-    assert min(sizes) * pixels_per_point >= SMALLEST
-
-
-@pytest.mark.parametrize("number", NUMBERS)
-def test_nothing_is_cut_off_at_the_rim(number: int) -> None:
-    figure = picture(number)
-    for text in figure.findobj(Text):
-        if not text.get_text() or not text.get_visible():
-            continue
-        box = text.get_window_extent()
-        assert box.x0 >= -1, text.get_text()
-        assert box.y0 >= -1, text.get_text()
-        assert box.x1 <= figure.bbox.width + 1, text.get_text()
-        assert box.y1 <= figure.bbox.height + 1, text.get_text()
-
-
-@pytest.mark.parametrize("number", NUMBERS)
-def test_picture_is_drawn_from_the_data_alone(number: int) -> None:
-    """The data scaled by 0.9 give another picture."""
-    drawing = FIGURES[number]
-    data: Any = frame(number)
-    other = data.assign(**{axis: 0.9 * data[axis] for axis in "xyz"})
-    words = {"title": "t", "alt": "a", "prefix": "p"}
-    assert svg_text(drawing.draw(other), **words) != svg_text(drawing.draw(frame(number)), **words)
 
 
 def test_printed_and_corrected_types_differ_in_one_wheel() -> None:
