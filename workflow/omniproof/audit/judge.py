@@ -92,9 +92,10 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
     if relation.premises is None or row.verdict is not Verdict.ERRATUM:
         return row
     granted = _judge_form(claim, replace(relation, subject=relation.premises), context)
-    if isinstance(granted, Proved):
-        return row.model_copy(update={"verdict": Verdict.MODEL_GAP})
-    return row
+    if not isinstance(granted, Proved):
+        return row
+    row = row.model_copy(update={"verdict": Verdict.MODEL_GAP})
+    return with_note(row, "By the paper's own premises it is true")
 
 
 def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:

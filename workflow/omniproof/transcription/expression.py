@@ -138,7 +138,11 @@ def _applied(scope: _Scope, node: tree.Applied) -> Value:
         _is_scalar(meaning) and not isinstance(meaning, sympy.Lambda)
     ):
         return meaning
-    return meaning(*(scope.value(argument) for argument in node.arguments))
+    arguments = [scope.value(argument) for argument in node.arguments]
+    try:
+        return meaning(*arguments)
+    except (TypeError, ValueError):
+        return scope.refuse(node, f"`{node.name}` has no such arguments")
 
 
 def _sum(scope: _Scope, node: tree.Sum) -> Value:
