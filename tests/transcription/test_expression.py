@@ -114,6 +114,8 @@ def test_arguments_of_a_quantity() -> None:
     symbols_, quantities = ["a", "b"], ["D_V", "f"]
     assert evaluate(read("D_V(b)", None, symbols_, quantities), MEANINGS) == 8 / a
     assert evaluate(read("f(b, 3)", None, symbols_, quantities), MEANINGS) == b - 6
+    with pytest.raises(LatexError, match="`f` has no such arguments"):
+        evaluate(read("f(b)", None, symbols_, quantities), MEANINGS)
     tree = read("D_V(b)", None, symbols_, quantities)
     assert isinstance(tree, Applied)
     assert tree.arguments == (Name("b"),)

@@ -52,6 +52,7 @@ def stiffness_again() -> Family:
     "sec:abstract/omnidirectional",
     "sec:1/omnidirectional",
     "sec:3/omnidirectional-platform",
+    "eq:10/solvable",
     "sec:5/omnidirectional-platform",
 )
 def determinant_of_law() -> Family:

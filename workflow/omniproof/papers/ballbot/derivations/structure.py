@@ -106,7 +106,7 @@ def yaw_at_contact() -> Relation:
     law = ballbot.wheel_law(PHI, RUNNING_RADIUS, BALL_RADIUS)
     return Relation(
         (ball.rotation[2], platform.rotation[2]),
-        condition=r"\omega_z^G \text{ is the yaw rate of the platform, and the ball does not spin}",
+        condition=r"\omega_z^G \text{ is the yaw rate of the platform, not the spin of the ball}",
         proof=tuple(Obligation(Form.EQUAL, (law[k, 2], -law[k, 3])) for k in range(law.rows)),
     )
 
