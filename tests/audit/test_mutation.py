@@ -138,6 +138,13 @@ def test_the_same_seed_draws_the_same_sample(at_root, tmp_path):
     assert (tmp_path / "one").read_bytes() == (tmp_path / "other").read_bytes()
 
 
+def test_a_misprint_is_planted_in_what_mechanics_confirms(at_root):
+    """Of two laws that follow from a wrong premise, only the levers and the names are right."""
+    context = prepare_to_judge(Path("paper_data/ballbot"))
+    found = {each.text for each in originals(context) if each.claim in {"eq:7", "eq:10"}}
+    assert found == {r"Ls\phi", "v_y^{C_1}"}
+
+
 @pytest.fixture
 def one_case(at_root):
     """Return a function that judges a misprint of the determinant, Eq. (8)."""

@@ -15,7 +15,7 @@ from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
-from omniproof.registry import Derivation, Derived, Registry, Relation
+from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role
@@ -96,6 +96,11 @@ class Context:
             return derivation.build()
         stated = self.registry.conventions[derivation.convention].stated
         return derivation.build(self.choices.get(derivation.convention, stated))
+
+    def derive_by_mechanics(self, claim: str) -> Derived:
+        """Run the derivation of an identity, without what only the paper's premises give."""
+        derived = self.derive(claim)
+        return derived.mechanics if isinstance(derived, Modelled) else derived
 
     def relation(self, claim: str) -> Relation:
         """Run the derivation of a relation."""

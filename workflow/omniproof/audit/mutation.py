@@ -181,7 +181,8 @@ def originals(context: Context) -> Iterator[Original]:
 
 
 def _sides(claim: Claim, context: Context) -> Iterator[Original]:
-    derived, text, whole = context.derive(claim.id), context.printed(claim.id), True
+    derived, text = context.derive_by_mechanics(claim.id), context.printed(claim.id)
+    whole = True
     if isinstance(derived, MatrixBase):
         sources = {
             index: entry_source(text, context.loaded.trees[claim.id], index)

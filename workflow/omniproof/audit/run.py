@@ -15,7 +15,7 @@ from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Ledger
 from omniproof.audit.readings import load_readings
-from omniproof.registry import Modelled, Registry, load_registry
+from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_sound_part
 from omniproof.transcription.matching import unmatched
@@ -124,8 +124,7 @@ def _no_domain(claim: Claim, context: Context) -> Iterator[Fault]:
 
 
 def _shapes(claim: Claim, context: Context, values: list[object]) -> Iterator[Fault]:
-    derived = context.derive(claim.id)
-    expected = _shape(derived.mechanics if isinstance(derived, Modelled) else derived)
+    expected = _shape(context.derive_by_mechanics(claim.id))
     for found in map(_shape, values):
         if found != expected:
             cure = "write every row with as many entries as the paper prints"
