@@ -33,7 +33,7 @@ from omniproof.papers.omni_trajectory.setup import (
 
 SPEED = Symbol("V", positive=True)
 YAW_RATE = Symbol("w", positive=True)
-LETTERS = {SPEED: "V", YAW_RATE: r"\dot\phi"}
+LETTERS = {SPEED: "V", YAW_RATE: "φ̇"}
 
 PER_MINUTE = 30 / pi / ROLLER_RADIUS
 """From a wheel speed in m/s to its rate in rpm."""
@@ -69,10 +69,10 @@ def speeds_by_reading() -> list[list[str]]:
     """Speeds V (m/s) that give the printed rates: cells, then rounded, truncated, either."""
     cells = rate_cells(Rational(1))
     groups: dict[str, Sequence[Case]] = {
-        **{f"Table 4, {case.name}": (case,) for case in LINES},
+        **{case.name: (case,) for case in LINES},
         "Table 4": LINES,
         "Table 3": CIRCLES,
-        "Tables 3 and 4": (*CIRCLES, *LINES),
+        "both": (*CIRCLES, *LINES),
     }
     return [
         [name, *(_solved(read_as(_of(cases, cells), reading), SPEED) for reading in Reading)]
@@ -88,11 +88,10 @@ def _solved(cells: Sequence[Cell], unknown: Symbol) -> str:
 
 
 def _written(solution: Solution) -> str:
-    """Write the interval as a formula, or the cells that contradict each other."""
+    """Write the interval, or the cells that contradict each other."""
     if not solution.pieces:
         return f"none: {' and '.join(f'${_tidy(n)}$' for n in solution.contradiction)} disagree"
-    text = show(solution.pieces, LETTERS[solution.unknown], 6)
-    return f"${text}$".replace("≤", r"\le")
+    return show(solution.pieces, LETTERS[solution.unknown], 6)
 
 
 def _tidy(name: str) -> str:
@@ -125,8 +124,11 @@ def cells_by_reading() -> list[list[str]]:
     rows = []
     for cell in cells:
         case, rate = cell.name.split(", ")
+        printed, exact = (
+            text.replace("-", "\N{MINUS SIGN}") for text in (cell.printed, _at_round_speed(cell))
+        )
         readings = "undecided" if isinstance(left, Undecided) else words[left[cell.name]]
-        rows.append([case, f"${rate}$", cell.printed, _at_round_speed(cell), readings])
+        rows.append([case, f"${rate}$", printed, exact, readings])
     return rows
 
 

@@ -57,12 +57,12 @@ class Chapter:
         return self._cards(rows, "everything else")
 
     def table(
-        self, selector: str, *, columns: Labels | None = None, rows: Labels | None = None
+        self, *selectors: str, columns: Labels | None = None, rows: Labels | None = None
     ) -> Fragment:
         """Show a table of numbers, printed beside computed; headings by the names in the ids."""
-        found = self._take([selector])
+        found = self._take(selectors)
         html = beside_html(found, self.href, columns or {}, rows or {})
-        return Fragment(self._boxed(found, html), f"table {selector}")
+        return Fragment(self._boxed(found, html), f"table {' '.join(selectors)}")
 
     def listing(self, *selectors: str) -> Fragment:
         """Show claims as a list of one line each: a nomenclature, references, spelling."""
