@@ -137,7 +137,7 @@ def draw_pendulum(frame: pd.DataFrame) -> Figure:
 def _bob(ax: Axes, place: Floats) -> None:
     line(ax, [place], marker="o", ms=17, lw=0, color=BODY, zorder=3)
     arrow(ax, place, place - np.array([0, 0.5]), color=ACCENT)
-    label(ax, place, "$mg$", (0.2, -0.4))
+    label(ax, place, "$mg$", (-0.22, -0.4))
 
 
 def describe_pendulum(frame: pd.DataFrame) -> str:
