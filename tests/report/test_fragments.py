@@ -13,6 +13,7 @@ from omniproof.report.anchors import anchor
 from omniproof.report.fragments import Chapter, Overview, in_text, values
 from omniproof.report.fragments.base import results_folder
 from omniproof.report.fragments.claims import row_html, witness_html
+from omniproof.report.fragments.figures import About, figure_html
 from omniproof.report.fragments.overview import edition_html
 from omniproof.report.fragments.theorems import markdown
 from omniproof.transcription.model import Edition, Kind
@@ -95,6 +96,25 @@ def test_a_matrix_boxes_what_is_wrong_and_folds_what_is_right(chapter: Chapter) 
     assert "<summary>entry by entry</summary>" in right
 
 
+def printed_alike(chapter: Chapter, ledger: Ledger, printed: str) -> str:
+    """Eq. (5) with the same text printed for each of its entries."""
+    rows = [row for row in ledger.rows if row.id.startswith("eq:5[")]
+    alike = [row.model_copy(update={"printed": printed}) for row in rows]
+    changed = ledger.model_copy(update={"rows": tuple(alike)})
+    return Chapter(changed, [], chapter.results).claims("eq:5").html
+
+
+def test_entries_that_share_one_formula_show_it_once(chapter: Chapter, ledger: Ledger) -> None:
+    """A product that is not multiplied out is no matrix of four formulas."""
+    html = printed_alike(chapter, ledger, r"B &= R \cdot S")
+    assert html.count(r"B = R \cdot S") == 1
+    assert "pmatrix" not in html
+
+
+def test_a_matrix_of_zeros_keeps_its_entries(chapter: Chapter, ledger: Ledger) -> None:
+    assert r"0 &amp; 0 \\ 0 &amp; 0" in printed_alike(chapter, ledger, "0")
+
+
 def test_the_card_of_an_erratum_says_all(chapter: Chapter, outline: type) -> None:
     text = outline(chapter.claims("eq:10").html).text
     for part in (
@@ -136,6 +156,14 @@ def test_a_claim_about_a_whole_figure_keeps_the_address(results: Path, ledger: L
     row = ledger.rows[0].model_copy(update={"id": "fig:5"})
     chapter = Chapter(ledger.model_copy(update={"rows": (row,)}), [], results)
     assert '<figure class="drawn" id="figure-5">' in chapter.figure(5).html
+
+
+def test_a_drawing_of_our_own_has_a_title_and_no_number() -> None:
+    about = About(number="laws", title="Two laws", alt="Two curves.", caption="Ours.")
+    html = figure_html("<svg></svg>", about, "fig-laws", "figures/p/figure-laws")
+    assert "<b>Two laws.</b> Ours." in html
+    assert 'title="Two laws"' in html
+    assert "Figure" not in html
 
 
 def test_a_figure_that_nobody_drew_is_named(chapter: Chapter) -> None:

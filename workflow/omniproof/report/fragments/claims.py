@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -20,6 +21,7 @@ from omniproof.report.fragments.base import (
 from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math, same
 from omniproof.transcription.model import Kind, Reading, Source
 
+_UNALIGNED = re.compile(r"&(?==)")
 FOLDED = frozenset({Verdict.VERIFIED, Verdict.UNCHECKABLE, Verdict.INCONSISTENT, Verdict.EDITORIAL})
 
 ENGINES: Mapping[str, str] = {
@@ -62,6 +64,13 @@ class Group:
         """Whether the rows are entries of something printed as one."""
         return any(index(row.id) for row in self.rows)
 
+    @property
+    def whole(self) -> str:
+        """The one formula that is printed for all entries; empty where each has its own."""
+        first, *others = {row.printed for row in self.rows}
+        one = not others and len(self.rows) > 1 and is_settable(first)
+        return _UNALIGNED.sub("", first) if one and re.search(r"[\\=]", first) else ""
+
 
 def groups(rows: Iterable[Row]) -> tuple[Group, ...]:
     """Gather entries under their claim, in the order of the ledger."""
@@ -91,16 +100,22 @@ def group_html(group: Group, href: Href, *, addressed: bool) -> str:
 def _entries_html(group: Group, href: Href) -> str:
     """Return the entries: those with a fault in the open, the sound ones folded."""
     sound = [row for row in group.rows if row.verdict is Verdict.VERIFIED]
-    open_ = "".join(row_html(row, href) for row in group.rows if row not in sound)
+    bare = bool(group.whole)
+    open_ = "".join(row_html(row, href, bare=bare) for row in group.rows if row not in sound)
     if not sound:
         return open_
     title = f"{len(sound)} verified" if open_ else "entry by entry"
-    folded = "".join(row_html(row, href) for row in sound)
+    folded = "".join(row_html(row, href, bare=bare) for row in sound)
     return f"{open_}<details><summary>{title}</summary>{folded}</details>"
 
 
 def matrix_html(group: Group) -> str:
-    """Return the matrix as printed, with a box around every entry that has a fault."""
+    """Return the matrix as printed, with a box around every entry that has a fault.
+
+    Entries of a product or an inverse that is not multiplied out share one formula: that is shown.
+    """
+    if group.whole:
+        return math(group.whole, display=True)
     grid = _grid(group)
     height, width = (max((place[k] for place in grid), default=0) for k in (0, 1))
     if not grid or len(grid) != height * width:
@@ -128,12 +143,15 @@ def _boxed(row: Row) -> str:
     return rf"\boxed{{{row.printed}}}" if row.verdict.is_fault else row.printed
 
 
-def row_html(row: Row, href: Href, *, addressed: bool = True) -> str:
-    """Return the card of one row: a line that unfolds when nothing is wrong with it, else open."""
+def row_html(row: Row, href: Href, *, addressed: bool = True, bare: bool = False) -> str:
+    """Return the card of one row: a line that unfolds when nothing is wrong with it, else open.
+
+    `bare` leaves out what is printed, where that stands above already.
+    """
     address = f' id="{anchor(row.id)}"' if addressed else ""
     head = (
         f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
-        f'<span class="printed">{cell(row.printed)}</span>'
+        f'<span class="printed">{"" if bare else cell(row.printed)}</span>'
     )
     note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
     facts = facts_html(row, href)
