@@ -161,7 +161,7 @@ def test_figure_4_rollers_reach_the_rim_and_the_floor(frames: dict[int, pd.DataF
 
 def interval(text: str) -> list[float]:
     """Read `0.1 ≤ V < 0.2`."""
-    low, *_, high = text.replace("≤", "<").split("<")
+    low, *_, high = text.strip("$").replace("≤", "<").split("<")
     return [float(low), float(high)]
 
 

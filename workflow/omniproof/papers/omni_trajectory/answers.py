@@ -33,7 +33,7 @@ from omniproof.papers.omni_trajectory.setup import (
 
 SPEED = Symbol("V", positive=True)
 YAW_RATE = Symbol("w", positive=True)
-LETTERS = {SPEED: "V", YAW_RATE: "φ̇"}
+LETTERS = {SPEED: "V", YAW_RATE: r"\dot\phi"}
 
 PER_MINUTE = 30 / pi / ROLLER_RADIUS
 """From a wheel speed in m/s to its rate in rpm."""
@@ -103,7 +103,7 @@ def _tidy(name: str) -> str:
 def yaw_rates_by_radius() -> list[list[str]]:
     """Yaw rates (rad/s) of Table 3 that fit both tables, digits rounded or cut: L, interval."""
     return [
-        [f"{float(radius):.3f} m ({place})", _solved(rate_cells(radius), YAW_RATE)]
+        [f"{float(radius):.3f} m ({place})", f"${_solved(rate_cells(radius), YAW_RATE)}$"]
         for place, radius in RADII.items()
     ]
 
