@@ -26,6 +26,7 @@ ENTRIES = [
     pytest.param("a + b", (1,), None, None, id="no vector"),
     pytest.param(r"\begin{pmatrix} a & b \\ c & d \end{pmatrix}^{-1}", (1, 2), None, None,
                  id="an inverse has other entries"),
+    pytest.param(r"2\binom{a - b}{c}", (1,), None, "a - b", id="a column without its braces"),
     pytest.param(r"\{a, b\}", (1,), None, None, id="a set has no order"),
 ]  # fmt: skip
 

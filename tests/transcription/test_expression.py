@@ -15,6 +15,7 @@ from sympy import (
     Equivalent,
     ImmutableMatrix,
     Integer,
+    Integral,
     Lt,
     Matrix,
     Or,
@@ -52,6 +53,8 @@ VALUES = [
     pytest.param(r"30^\circ", pi / 6, id="degrees become radians"),
     pytest.param(r"22.5^\circ", pi / 8, id="decimal degrees"),
     pytest.param("a - b - c", a - b - c, id="differences"),
+    pytest.param(r"2\int_{1}^{b} (a + \theta) d\theta", 2 * Integral(a + theta, (theta, 1, b)),
+                 id="an integral stays one"),
     pytest.param("-a^2", -(a**2), id="a sign binds less than a power"),
     pytest.param("a/b/c", a / (b * c), id="slashes from the left"),
     pytest.param(r"\tan^{-1}\frac{a}{b} + \sqrt{2}", atan(a / b) + sqrt(2), id="inverse function"),
@@ -122,6 +125,10 @@ def test_arguments_of_a_quantity() -> None:
 
 
 REFUSED = [
+    pytest.param(r"\int_0^1 a dp", [
+        "expected a number, found a vector of 2",
+        r"    \int_0^1 a dp",
+        "                ^"], id="integral over a vector"),
     pytest.param("a + D_W", [
         "unknown symbol `D_W`",
         "    a + D_W",

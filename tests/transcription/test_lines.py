@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sympy import ImmutableMatrix, MatrixBase, Rational
+from sympy import ImmutableMatrix, MatrixBase, Rational, Symbol
 
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import Notation
@@ -250,6 +250,21 @@ def test_other_papers(text: str, notation: dict[str, Any], expected: Any) -> Non
     assert flat(value) == pytest.approx(flat(expected), rel=1e-12, abs=1e-12)
 
 
+PATH = r"""X_{W} = \int_{0}^{t} \left\{ (-\nu_{1} - \nu_{2} + 2\nu_{3}) \cos\left(\frac{1}{3L}
+\int_{0}^{t} (\nu_{1} + \nu_{2} + \nu_{3}) dt \right) - (\sqrt{3}\nu_{1} - \sqrt{3}\nu_{2})
+\sin\left(\frac{1}{3L} \int_{0}^{t} (\nu_{1} + \nu_{2} + \nu_{3}) dt \right) \right\} dt"""
+
+
+def test_an_integral_within_an_integral() -> None:
+    """Trajectory 8 for constant speeds, by its elementary antiderivative."""
+    time = Symbol("t", real=True)
+    _, printed = evaluate(read(PATH), {**MEANINGS, "t": time, "X_W": time}, PATH)
+    ahead, across = -NU1 - NU2 + 2 * NU3, sqrt(3) * (NU1 - NU2)
+    rate = (NU1 + NU2 + NU3) / (3 * L)
+    expected = (ahead * sin(2 * rate) - across * (1 - cos(2 * rate))) / rate
+    assert float(printed.doit().subs(time, 2)) == pytest.approx(expected, rel=1e-12)
+
+
 def test_a_function_that_the_paper_prints() -> None:
     text = r"\frac{1}{4} (L(1,1,0) - L(-1,1,0) - L(1,-1,0) \\ &\quad + L(-1,-1,0))"
     quadratic = {"L": lambda x, y, z: 1 + 2 * x + 3 * y + 5 * z + 7 * x * y + 13 * x * x}
@@ -262,15 +277,21 @@ def test_rows_are_told_from_columns() -> None:
     assert evaluate(read(column[:-2]), MEANINGS).shape == (1, 3)
 
 
-def test_every_display_of_the_source_is_read() -> None:
-    source = sources_folder() / "omni-arrangement.txt"
+@pytest.mark.parametrize(
+    ("paper", "count", "quantities"),
+    [
+        pytest.param("omni-arrangement", 31, ["D_V", "D_A", "f_A", "f_{A^{-1}}"], id="arrangement"),
+        pytest.param("omni-trajectory", 20, ["r_t", "r_e", "e"], id="trajectory"),
+    ],
+)
+def test_every_display_of_the_source_is_read(paper: str, count: int, quantities: list[str]) -> None:
+    source = sources_folder() / f"{paper}.txt"
     if not source.is_file():
         pytest.skip(f"no source text at {source}")
     displays = source.read_text(encoding="utf-8").split("$$")[1::2]
-    quantities = ["D_V", "D_A", "f_A", "f_{A^{-1}}"]
-    assert len(displays) == 31
+    assert len(displays) == count
     for display in displays:
-        read(display, Notation(), ["v_k^T", "v_k^R"], quantities)
+        read(display, Notation(slash="all"), ["v_k^T", "v_k^R"], quantities)
 
 
 def test_canonical_names_in_this_file() -> None:

@@ -326,6 +326,9 @@ BAD = [
     pytest.param("symbols:", "notation: {functions: {c: kos, se: sec}, slash: last}\nsymbols:", [
         f"{FILE}:9:49: notation.slash: expected first or all, found 'last'", *ONE],
         id="notation of the wrong shape"),
+    pytest.param("symbols:", "notation: {angles: grad}\nsymbols:", [
+        f"{FILE}:9:20: notation.angles: expected degrees, found 'grad'", *ONE],
+        id="a unit of angles that is not read"),
     pytest.param("symbols:", "notation: {functions: {c: kos, se: sec}}\nsymbols:", [
         f"{FILE}:9:27: notation.functions.c: expected one of arccos, arcsin, arctan, cos, cot, "
         "csc, sec, sin, tan, found `kos`",

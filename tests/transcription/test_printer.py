@@ -114,6 +114,8 @@ FORMS = [
     r"-(-a) - (b - c) + (-x)",
     r"(2 (a b) c / 3) 4 (5)(x)^{2}",
     r"\sqrt{2} \sin^2(x) |a||b|",
+    r"\frac{1}{2} \int_{0}^{t} a + \sin(b) dt - c",
+    r"a (\int_0^x \cos(\int_0^t b dt) dt)^2 \int_0^1 c d\theta",
 ]
 
 

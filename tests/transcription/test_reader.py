@@ -23,6 +23,7 @@ from omniproof.transcription.tree import (
     Determinant,
     Dot,
     Inner,
+    Integral,
     Listing,
     Logic,
     MatrixLiteral,
@@ -253,7 +254,33 @@ def test_declared_symbols_decide(text: str, tree: Node) -> None:
     assert read(text, Notation(), ["v_k^T", "T_B^{C_1}", "L"], ["D_V", "Rot"]) == tree
 
 
+ZERO, T = Number("0"), Name("t")
+INTEGRALS = [
+    pytest.param(r"\int_0^t a dt", Integral(ZERO, T, A, T), id="plain"),
+    pytest.param(r"\int_{0}^{t} a b + c\, dt", Integral(ZERO, T, Sum((Product((A, B)), C)), T),
+                 id="a sum up to the variable"),
+    pytest.param(r"2 \int_0^1 \sin x dx b", Product((TWO, Integral(ZERO, ONE, sine(X), X), B)),
+                 id="the variable ends the argument of a function, and the integral"),
+    pytest.param(r"\int_0^t \left\{ a \cos\left( \int_{0}^{t} (b) dt \right) \right\} dt",
+                 Integral(ZERO, T, Product((A, Call("cos", Integral(ZERO, T, B, T)))), T),
+                 id="one inside another"),
+    pytest.param(r"d \int_0^t a d\theta", Product((Name("d"), Integral(ZERO, T, A, THETA))),
+                 id="outside, d is a symbol"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "tree"), INTEGRALS)
+def test_integrals(text: str, tree: Node) -> None:
+    assert read(text) == tree
+
+
 NOTATIONS = [
+    pytest.param(r"\cos{(90 + \psi)}", Notation(angles="degrees"),
+                 Call("cos", Sum((Degrees("90"), Name("\\psi")))), id="a bare number in degrees"),
+    pytest.param(r"\sin(\psi - 90)", Notation(angles="degrees"),
+                 sine(Sum((Name("\\psi"), Negative(Degrees("90"))))), id="less so many degrees"),
+    pytest.param(r"\sin 2\psi", Notation(angles="degrees"),
+                 sine(Product((TWO, Name("\\psi")))), id="a factor is no angle"),
     pytest.param("1/3L", Notation(slash="first"), Product((Quotient(ONE, THREE), Name("L"))),
                  id="a slash divides by the first factor"),
     pytest.param("1/3L", Notation(slash="all"), Quotient(ONE, Product((THREE, Name("L")))),
@@ -500,12 +527,26 @@ REFUSED = [
         r"    \square \mathbf{R}",
         "    ~~~~~~^",
         "    leave it out of the formula"], id="shape"),
-    pytest.param(r"\int_0^t a dt", [
-        r"`\int` is not read",
-        r"    \int_0^t a dt",
-        "    ~~~^",
-        "    integrals are not read: transcribe the integrand as a claim of its own"],
-        id="integral"),
+    pytest.param(r"\int a dt", [
+        "expected the lower limit of the integral, found `a`",
+        r"    \int a dt",
+        "         ^",
+        r"    write `\int_{0}^{t} … dt`"], id="integral without limits"),
+    pytest.param(r"\int_0 a dt", [
+        "expected the upper limit of the integral, found `a`",
+        r"    \int_0 a dt",
+        "           ^",
+        r"    write `\int_{0}^{t} … dt`"], id="integral without upper limit"),
+    pytest.param(r"\int_0^t a + b", [
+        "expected the variable of the integral, found the end of the formula",
+        r"    \int_0^t a + b",
+        "                  ^",
+        r"    write `\int_{0}^{t} … dt`"], id="integral without variable"),
+    pytest.param(r"\int_0^t a = b dt", [
+        "expected the variable of the integral, found `=`",
+        r"    \int_0^t a = b dt",
+        "               ^",
+        r"    write `\int_{0}^{t} … dt`"], id="integral of an equation"),
     pytest.param("a § b", [
         "'§' is no part of a formula",
         "    a § b",

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 
 from omniproof.transcription.enclosed import EnclosedReader
 from omniproof.transcription.tokens import FUNCTIONS, MAX_DEPTH, LatexError, Token
@@ -18,6 +19,7 @@ from omniproof.transcription.tree import (
     Call,
     Degrees,
     Determinant,
+    Integral,
     MatrixLiteral,
     Name,
     Negative,
@@ -52,12 +54,13 @@ class AtomReader(EnclosedReader, ABC):
             "|": self.between_bars, "\\|": self.between_bars, "\\langle": self.inner,
             "\\frac": self.fraction, "\\binom": self.binomial, "\\sqrt": self.root,
             "\\det": self.determinant, "\\operatorname": self.operator,
+            "\\int": self.integral,
         }  # fmt: skip
 
     def at_atom(self) -> bool:
         """Whether an atom starts here; a bar does unless it closes one."""
         token = self.peek()
-        if token.kind in {"number", "symbol", "accent", "font", "function", "begin"}:
+        if token.kind in {"number", "function", "begin"} or self.at_symbol():
             return True
         if token.text in {"|", "\\|"}:
             return token.kind == "open" or (token.kind == "sign" and token.text not in self.bars)
@@ -185,8 +188,14 @@ class AtomReader(EnclosedReader, ABC):
     def binomial(self, start: int) -> Node:
         r"""binomial = "\binom" part part: a column of two."""
         self.place += 1
-        rows = ((self.part(),), (self.part(),))
+        rows = tuple((self.unbraced(),) for _ in range(2))
         return MatrixLiteral(rows, span=self.since(start))
+
+    def unbraced(self) -> Node:
+        """Read a part; its braces belong to the command, not to what stands there."""
+        node = self.part()
+        begin, end = node.span
+        return replace(node, span=(begin + 1, end - 1)) if self.source[begin] == "{" else node
 
     def root(self, start: int) -> Node:
         r"""root = "\sqrt" part."""
@@ -194,6 +203,26 @@ class AtomReader(EnclosedReader, ABC):
         if self.at("["):
             self.expected("a square root", "only square roots are read")
         return Call("sqrt", self.part(), span=self.since(start))
+
+    def integral(self, start: int) -> Node:
+        r"""integral = "\int" "_" part "^" part sum "d" symbol."""
+        self.place += 1
+        cure = r"write `\int_{0}^{t} … dt`"
+        if not self.consume("_"):
+            self.expected("the lower limit of the integral", cure)
+        lower = self.part()
+        if not self.consume("^"):
+            self.expected("the upper limit of the integral", cure)
+        upper = self.part()
+        self.integrals += 1
+        integrand = self.entry()
+        if not self.at_differential():
+            self.expected("the variable of the integral", cure)
+        self.integrals -= 1
+        self.place += 1
+        begin = self.start
+        variable = Name(self.symbol(), span=self.since(begin))
+        return Integral(lower, upper, integrand, variable, span=self.since(start))
 
     def determinant(self, start: int) -> Node:
         r"""determinant = "\det" (symbol | bracket | matrix)."""

@@ -258,6 +258,15 @@ def _call(scope: _Scope, node: tree.Call) -> Value:
     return FUNCTIONS[node.function](scope.number(node.argument))
 
 
+def _integral(scope: _Scope, node: tree.Integral) -> Value:
+    """A definite integral as it is printed: nothing is integrated here."""
+    variable = scope.number(node.variable)
+    if not variable.is_Symbol:
+        scope.refuse(node.variable, "expected a variable to integrate over")
+    limits = scope.number(node.lower), scope.number(node.upper)
+    return sympy.Integral(scope.number(node.integrand), (variable, *limits))
+
+
 def _norm(scope: _Scope, node: tree.Norm) -> Value:
     value = scope.value(node.operand)
     if _is_scalar(value):
@@ -360,6 +369,7 @@ _RULES: dict[type[tree.Node], Callable[[_Scope, Any], Value]] = {
     tree.Power: _power,
     tree.Transpose: _transpose,
     tree.Call: _call,
+    tree.Integral: _integral,
     tree.Inner: _inner,
     tree.Norm: _norm,
     tree.Absolute: lambda scope, node: sympy.Abs(scope.number(node.operand)),

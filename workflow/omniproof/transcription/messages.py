@@ -29,6 +29,7 @@ PATTERNS = {
     "id": AN_ID, "agrees_with": AN_ID, "target": AN_ID,
     "name": "a name of letters, digits and `_`, such as alpha_1",
     "slash": "first or all",
+    "angles": "degrees",
     "file": "the name of a CSV file in this folder, such as table-2.csv",
     "source": "the name of a source text, such as omni-arrangement.txt",
     "key": "a key of lower-case letters and hyphens, such as omni-arrangement",

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from enum import StrEnum
-from typing import Annotated, Literal, Self
+from typing import Annotated, Self
 
 from pydantic import (
     BaseModel,
@@ -138,7 +138,7 @@ class Notation(Record):
 
     functions: dict[str, str] = Field(default_factory=dict)  # shorthand letter -> function: c: cos
     slash: str | None = Field(default=None, pattern="^(first|all)$")  # what 1/3L divides by
-    angles: Literal["degrees"] | None = None  # what 90 is in cos(90 + a), where no sign says it
+    angles: str | None = Field(default=None, pattern="^degrees$")  # what 90 is in cos(90 + a)
 
 
 class Claim(Record):

@@ -17,7 +17,8 @@ STATEMENT, SUM, NEGATIVE, PRODUCT, POWER, ATOM = range(6)
 STRENGTHS: dict[type[tree.Node], int] = {
     tree.Chain: STATEMENT, tree.Comparison: STATEMENT, tree.Logic: STATEMENT,
     tree.Listing: STATEMENT, tree.Sum: SUM, tree.Negative: NEGATIVE, tree.Product: PRODUCT,
-    tree.Dot: PRODUCT, tree.Cross: PRODUCT, tree.Power: POWER, tree.Transpose: POWER,
+    tree.Dot: PRODUCT, tree.Cross: PRODUCT, tree.Integral: PRODUCT, tree.Power: POWER,
+    tree.Transpose: POWER,
 }  # fmt: skip
 FUNCTIONS = {"sqrt": "\\sqrt", "atan2": "\\operatorname{atan2}", "det": "\\det"}
 
@@ -121,6 +122,10 @@ _RULES: dict[type[tree.Node], Callable[[Any], str]] = {
     tree.Power: _power,
     tree.Transpose: lambda node: f"{_in(node.operand, ATOM)}^T",
     tree.Call: _call,
+    tree.Integral: lambda node: (
+        f"\\int_{{{latex(node.lower)}}}^{{{latex(node.upper)}}} "
+        f"{_in(node.integrand, SUM)} d{latex(node.variable)}"
+    ),
     tree.Inner: lambda node: f"\\langle {latex(node.left)}, {latex(node.right)} \\rangle",
     tree.Norm: lambda node: _bars(node.operand, "\\|"),
     tree.Absolute: lambda node: _bars(node.operand, "|"),

@@ -23,6 +23,7 @@ from omniproof.transcription.tree import (
     Comparison,
     Component,
     Cross,
+    Degrees,
     Dot,
     Listing,
     Logic,
@@ -54,6 +55,10 @@ class Writing(Protocol):
     def slash(self) -> str | None:
         """What `1/3L` divides by: the `first` factor or `all`; unknown if None."""
 
+    @property
+    def angles(self) -> str | None:
+        r"""The unit of 90 in `\cos(90 + \psi)`: `degrees`, or rad if None."""
+
 
 @dataclass(frozen=True)
 class Conventions:
@@ -61,6 +66,7 @@ class Conventions:
 
     functions: Mapping[str, str] = field(default_factory=dict)
     slash: str | None = None
+    angles: str | None = None
 
 
 def read(
@@ -98,7 +104,7 @@ class Reader(AtomReader):
 
     def __init__(self, source: str, names: Names, notation: Writing) -> None:
         super().__init__(source, names.declared, names.quantities, notation.functions)
-        self.slash = notation.slash
+        self.slash, self.angles = notation.slash, notation.angles
         self.bare = -1  # where the last function argument without brackets ended
 
     def document(self) -> Node:
@@ -289,6 +295,11 @@ class Reader(AtomReader):
             return False
         return True
 
+    def argument(self, function: str) -> Node:
+        """Read the argument of a function; numbers added to an angle get their unit."""
+        node = super().argument(function)
+        return _in_degrees(node) if self.angles == "degrees" and isinstance(node, Sum) else node
+
     def juxtaposed(self, function: str) -> Node:
         r"""juxtaposed = {number | symbol | fraction | root}, as in `\sin 2\theta`."""
         start = self.start
@@ -322,6 +333,17 @@ class Reader(AtomReader):
 
 
 SLASH = "write `\\frac{…}{…}`, or settle it with `slash: first` or `slash: all` in the notation"
+
+
+def _in_degrees(node: Sum) -> Sum:
+    """Read the bare numbers among the terms as degrees."""
+
+    def term(part: Node) -> Node:
+        if isinstance(part, Negative):
+            return replace(part, operand=term(part.operand))
+        return Degrees(part.text, span=part.span) if isinstance(part, Number) else part
+
+    return replace(node, terms=tuple(term(part) for part in node.terms))
 
 
 def _closed(node: Node) -> bool:

@@ -100,6 +100,7 @@ class SymbolReader(Cursor):
     def __init__(self, source: str, declared: Collection[str] | None = ()) -> None:
         super().__init__(source)
         self.declared = declared
+        self.integrals = 0  # how many are open here
         words = {match[0] for name in declared or () if (match := _WORD.match(name))}
         self.words = sorted(words, key=len, reverse=True)
 
@@ -108,8 +109,12 @@ class SymbolReader(Cursor):
         return self.declared is None or name in self.declared
 
     def at_symbol(self) -> bool:
-        """Whether a symbol starts here."""
-        return self.peek().kind in {"symbol", "accent", "font"}
+        """Whether a symbol starts here; the `d` that ends an integral is none."""
+        return self.peek().kind in {"symbol", "accent", "font"} and not self.at_differential()
+
+    def at_differential(self) -> bool:
+        """Whether the end of an integral starts here: `d` and the variable."""
+        return self.integrals > 0 and self.at("d") and self.peek(1).kind in {"symbol", "accent"}
 
     def symbol(self, word: bool = False) -> str:
         r"""symbol = base {"'"} ["_" script] ["^" script]; `word`: letters may run together."""

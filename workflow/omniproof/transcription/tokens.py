@@ -70,7 +70,7 @@ GREEK = _words(
 ACCENTS = _words("hat bar tilde widetilde widehat dot ddot overline vec overrightarrow underline")
 FONTS = _words("mathbf boldsymbol bm mathrm mathbb mathcal mathit mathsf mathfrak")
 FUNCTIONS = _words("sin cos tan cot sec csc arcsin arccos arctan")
-OTHERS = _words("frac binom sqrt det operatorname circ prime top")
+OTHERS = _words("frac binom sqrt int det operatorname circ prime top")
 SIGNS = _words("times cdot leq geq neq langle rangle mid Leftrightarrow land lor")
 
 KINDS = {
@@ -104,7 +104,6 @@ TABLES = _words("matrix pmatrix bmatrix smallmatrix array cases")
 """Environments of rows and columns."""
 
 UNREAD = {
-    "int": "integrals are not read: transcribe the integrand as a claim of its own",
     "sum": "sums over an index are not read: write the terms out",
     "pm": "write both signs as claims of their own",
     "mp": "write both signs as claims of their own",

@@ -124,6 +124,16 @@ class Call(Node):
 
 
 @dataclass(frozen=True)
+class Integral(Node):
+    r"""`\int_{lower}^{upper} integrand d variable`; papers call variable and upper limit alike."""
+
+    lower: Node
+    upper: Node
+    integrand: Node
+    variable: Name
+
+
+@dataclass(frozen=True)
 class Inner(Node):
     r"""`\langle a, b \rangle`."""
 
