@@ -5,11 +5,24 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from sympy import Abs, Expr, ImmutableMatrix, Integer, Symbol, cos, sin, symbols
+from sympy import (
+    Abs,
+    Expr,
+    Function,
+    ImmutableMatrix,
+    Integer,
+    Integral,
+    Symbol,
+    cos,
+    sin,
+    symbols,
+)
 
 from omniproof.audit.printing import LONGEST, Spelling
 
 alpha, speed = Symbol("alpha_1", real=True), Symbol("v_x", real=True)
+TIME = Symbol("t", real=True)
+FUNCTION = Function("X_w^m", real=True)(TIME)
 LONG = sin(alpha) + cos(alpha)
 SPELLING = Spelling({alpha: r"\alpha_1", speed: r"\dot{x}"}, {LONG: r"\det \mathbf{A}"})
 
@@ -22,6 +35,11 @@ SPELLING = Spelling({alpha: r"\alpha_1", speed: r"\dot{x}"}, {LONG: r"\det \math
         pytest.param(1 / LONG, r"\frac{1}{\det \mathbf{A}}", id="a long part by its name"),
         pytest.param(8 / Abs(LONG), r"\frac{8}{\left|{\det \mathbf{A}}\right|}", id="in bars"),
         pytest.param(LONG, r"\sin {\alpha_1} + \cos {\alpha_1}", id="the long one itself in full"),
+        pytest.param(
+            Integral(FUNCTION, (TIME, 0, TIME)),
+            r"\int\limits_{0}^{t} X^{m}_{w}(t)\, dt",
+            id="an unknown function",
+        ),
         pytest.param((speed, Integer(2)), r"\dot{x},\; 2", id="several values"),
         pytest.param(
             ImmutableMatrix([[speed], [1]]),

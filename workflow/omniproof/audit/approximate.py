@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from sympy import Expr, MatrixBase, Symbol
 
 from omniproof.audit.balls import UnsupportedError, compile_balls, rational_ball
+from omniproof.audit.integrals import ANY_INTEGRAL, flattened
 from omniproof.audit.sampling import Sample, sample_points
 from omniproof.transcription import tree
 
@@ -53,6 +54,7 @@ def at_points(value: Expr | MatrixBase) -> Values:
 
     Raises `UnsupportedError` for a function that balls do not know.
     """
+    value = flattened(value)
     symbols = tuple(sorted(value.free_symbols, key=str))
     rows, columns = value.shape if isinstance(value, MatrixBase) else (1, 1)
     program = compile_balls(list(value) if isinstance(value, MatrixBase) else [value], symbols)
@@ -240,6 +242,7 @@ _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Values]], Values]] = {
         parts[0] if isinstance(node.operand, tree.Tuple) else parts[0].swapaxes(-1, -2)
     ),
     tree.Call: _call,
+    tree.Integral: lambda node, parts: at_points(ANY_INTEGRAL) * parts[2],
     tree.Inner: lambda node, parts: _inner(*parts),
     tree.Norm: lambda node, parts: _norm(parts[0]),
     tree.Absolute: lambda node, parts: np.abs(_number(parts[0])),

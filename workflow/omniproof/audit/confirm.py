@@ -14,6 +14,8 @@ from typing import Any
 import sympy as sp
 
 from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.integrals import without_integrals
 from omniproof.audit.modular import Mixed, NonZero, Zero, vanishes_modulo
 from omniproof.audit.smt import Different, Equal, differ_somewhere
 from omniproof.audit.zero_test import DisagreementError, decide_equal
@@ -30,6 +32,10 @@ def confirmed_equal(
     After `enough` confirmations no further engine is asked; without it, all are.
     Raises `DisagreementError` when an engine comes to another one.
     """
+    try:
+        printed, derived = without_integrals(printed, derived)
+    except UnsupportedError as reason:
+        return Undecided(str(reason))
     answer = decide_equal(printed, derived, domain)
     if isinstance(answer, Undecided):
         return answer

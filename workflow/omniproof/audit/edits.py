@@ -18,7 +18,7 @@ from omniproof.transcription.tokens import Token, tokenize
 from omniproof.transcription.tree import Span
 
 CONSTANTS = ("1", "2", "3", "4", "6", "8")
-FACTORS = ("2", "3", "4", r"\frac{1}{2}")
+FACTORS = ("2", "3", "4", r"\frac{1}{2}", r"\frac{1}{3}")
 FUNCTIONS = {
     r"\sin": (r"\cos",),
     r"\cos": (r"\sin",),

@@ -55,7 +55,9 @@ def mend(text: str, derived: Any, claim: str, context: Context, factor: Any = 1)
         except (LatexError, TypeError, AttributeError):
             return False
 
-    symbols = context.loaded.paper.symbols
+    # A symbol that the truth does not contain is in no repair: a third of the edits, or fewer.
+    needed = {symbol.name for symbol in (derived / factor).free_symbols}
+    symbols = [s for s in context.loaded.paper.symbols if s.name in needed]
     words = [symbol.latex for symbol in symbols if symbol.role is Role.VARIABLE]
     quick = _quick_look(derived / factor, claim, context)
     found = repair(text, is_true, words, quick)

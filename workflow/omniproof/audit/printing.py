@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from sympy import Expr, MatrixBase, Symbol, latex
+from sympy import Dummy, Expr, MatrixBase, Symbol, latex
+from sympy.core.function import AppliedUndef
 
 LONGEST = 400
 """Derived forms beyond this many characters are not shown: nobody reads them."""
@@ -23,9 +24,12 @@ class Spelling:
         """Print an expression, a matrix or a tuple; nothing where it would be too long to read."""
         if isinstance(value, tuple):
             return r",\; ".join(self.latex(entry) for entry in value)
+        value = self._abbreviated(value)
+        functions = {f: Dummy() for f in value.atoms(AppliedUndef)}
+        names = {own: _applied(f) for f, own in functions.items()}
         text = latex(
-            self._abbreviated(value),
-            symbol_names=dict(self.symbols),
+            value.xreplace(functions),
+            symbol_names=dict(self.symbols) | names,
             fold_func_brackets=True,
             **({"mat_delim": "(", "mat_str": "matrix"} if isinstance(value, MatrixBase) else {}),
         )
@@ -38,3 +42,9 @@ class Spelling:
         named = {part: Symbol(text) for part, text in self.abbreviations.items()}
         inverses = {1 / part: 1 / name for part, name in named.items() if part.is_Pow}
         return value.xreplace(named | inverses)
+
+
+def _applied(function: AppliedUndef) -> str:
+    """Write an unknown function with its argument in brackets; SymPy would leave them out."""
+    (argument,) = function.args
+    return f"{latex(Symbol(str(function.func)))}({latex(argument)})"
