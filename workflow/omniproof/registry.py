@@ -20,7 +20,7 @@ Derived: TypeAlias = Any
 """What a derivation returns, by the kind of its claim (SymPy publishes no types):
 
 identity: an expression, or a matrix for a printed one, or `Modelled` where the paper's premises and
-mechanics part; value: an exact number; relation: a `Relation`, or just its subject.
+mechanics part; value: an exact number, or a `Fit`; relation: a `Relation`, or just its subject.
 """
 
 
@@ -35,6 +35,20 @@ class Modelled:
     mechanics: Expr | MatrixBase
     premises: Expr | MatrixBase
     gap: str
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A printed number from a set-up that is printed wrongly or not at all: its cells tell it.
+
+    `value` is the number by the unknowns of the set-up, the first of which is shown. `setup` is one
+    set-up from which the `cells` follow, rounded or truncated: claims that are derived in the same
+    way. A claim that is none of them is a number of the set-up.
+    """
+
+    value: Expr
+    setup: Mapping[Symbol, Expr]
+    cells: tuple[str, ...]
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,12 @@ from sympy import Expr, MatrixBase
 from omniproof.audit.answer import Answer, Proved, Refuted, Undecided
 from omniproof.audit.context import Context
 from omniproof.audit.decimals import Rounding, classify
+from omniproof.audit.fits import judge_fit
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
 from omniproof.audit.relations import equivalent, instance, judge, merge
 from omniproof.audit.rows import answered, start, with_note
-from omniproof.registry import Obligation, Ordered, Relation, Subject
+from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind
 from omniproof.transcription.symbols import symbol_name
@@ -56,6 +57,8 @@ _BY_ROUNDING = {
 
 def _judge_value(claim: Claim, context: Context) -> Row:
     value = context.derive(claim.id)
+    if isinstance(value, Fit):
+        return judge_fit(claim, value, context)
     finding = classify(value, str(claim.printed))
     row = start(claim, context)
     if isinstance(finding, Undecided):

@@ -1,0 +1,92 @@
+"""Numbers from a set-up that the paper does not state, or states wrongly.
+
+Which set-ups give all cells of a table, each decimal rounded or truncated? A cell is right when one
+of them gives it by rounding, misrounded when all of them give it by truncation; a cell that the
+set-up of the derivation does not give is judged for itself, and says nothing of others. A printed number of
+the set-up is right when it is among the solutions. Otherwise it contradicts the cells, and only the
+author knows which of both was simulated.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+from omniproof.audit.answer import Undecided
+from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.context import Context
+from omniproof.audit.decimals import classify
+from omniproof.audit.ledger import Repair, Row, Verdict
+from omniproof.audit.ranges import Reading, show
+from omniproof.audit.rows import answered, start, with_note
+from omniproof.audit.setups import Cell, Solution, check_setup, contradicting, solve
+from omniproof.registry import Fit
+from omniproof.transcription.model import Claim
+
+Found = TypeVar("Found")
+
+
+def judge_fit(claim: Claim, fit: Fit, context: Context) -> Row:
+    """Judge a printed number of a set-up, or one that follows from it."""
+    row = start(claim, context).model_copy(update={"derived": context.spelling.latex(fit.value)})
+    others = (context.claims[name] for name in fit.cells if name != claim.id)
+    cells = [_cell(other, context.derive(other.id)) for other in others]
+    try:
+        wrong = contradicting(_sure(check_setup(cells, fit.setup)), Reading.EITHER)
+        cells = [cell for cell in cells if cell.name not in wrong]
+        return _Question(row, _cell(claim, fit), cells, fit).judged()
+    except UnsupportedError as reason:
+        return answered(row, Undecided(str(reason)), context)
+
+
+def _cell(claim: Claim, fit: Fit) -> Cell:
+    return Cell(claim.id, str(claim.printed), fit.value)
+
+
+def _sure(found: Found | Undecided) -> Found:
+    if isinstance(found, Undecided):
+        raise UnsupportedError(found.reason)
+    return found
+
+
+@dataclass(frozen=True)
+class _Question:
+    """A printed number beside the other cells of its set-up."""
+
+    row: Row
+    own: Cell
+    others: list[Cell]
+    fit: Fit
+
+    def judged(self) -> Row:
+        rounded, truncated = map(self.solved, (Reading.ROUNDED, Reading.TRUNCATED))
+        if rounded.pieces:
+            return self.decided(Verdict.VERIFIED, f"{rounded.text()} with all cells")
+        if truncated.pieces:
+            row = self.decided(Verdict.MISROUNDED, f"{truncated.text()} with all cells")
+            return self.mended(row, "truncated in every set-up that gives all cells")
+        row = self.decided(Verdict.INCONSISTENT, f"{self.solved(None).text()} by the cells")
+        against = (name for name in rounded.contradiction if name != self.own.name)
+        return self.mended(row, f"differs from {', '.join(against)}")
+
+    def solved(self, reading: Reading | None) -> Solution:
+        """Solve the cells with this number, rounded or truncated, or without it."""
+        cells = [*self.others, replace(self.own, reading=reading)] if reading else self.others
+        return _sure(solve(cells, next(iter(self.fit.setup))))
+
+    def decided(self, verdict: Verdict, solution: str) -> Row:
+        interval = f"{show((self.own.interval,), 'x')} by its digits; {solution}"
+        update = {"verdict": verdict, "interval": interval, "engines": "flint"}
+        return self.row.model_copy(update=update)
+
+    def mended(self, row: Row, note: str) -> Row:
+        """Show a set-up that gives the other cells, and what it gives here."""
+        used = self.fit.value.free_symbols
+        point = "; ".join(f"{name}={x}" for name, x in self.fit.setup.items() if name in used)
+        finding = _sure(classify(self.fit.value.xreplace(dict(self.fit.setup)), self.own.printed))
+        mended = {
+            "witness": f"{point}; printed={self.own.printed}; derived={finding.digits}",
+            "correction": finding.correction,
+            "repair": Repair.MANUAL,
+        }
+        return with_note(row.model_copy(update=mended), note)
