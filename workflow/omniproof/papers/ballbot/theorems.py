@@ -216,12 +216,15 @@ THEOREMS = (
         "thm:rolling-ball",
         "Wheel speeds inside a ball that rolls",
         r"A wheel at the azimuth $\beta_k$ and the zenith angle $\phi$ of the inner surface of "
-        r"radius $L$, in a ball of radius $\rho$ that rolls without slip, has the speed "
-        r"$v_k = \frac{L}{\rho}\cos\phi\,\mathbf{e}_k\cdot\mathbf{v} "
-        r"+ L\sin\phi\,(\omega_p - \omega_b)$, where $\mathbf{e}_k = (-\sin\beta_k, "
-        r"\cos\beta_k)$ is its driven direction, $\mathbf{v}$ the velocity of the centre, "
-        r"$\omega_p$ the yaw rate of the platform and $\omega_b$ the spin of the ball. "
-        r"It is positive where the platform moves over the surface along $\mathbf{e}_k$.",
+        r"radius $L$, in a ball of radius $\rho$ that rolls without slip, has the speed"
+        "\n\n"
+        r"$$v_k = \frac{L}{\rho}\cos\phi\,\mathbf{e}_k\cdot\mathbf{v} "
+        r"+ L\sin\phi\,(\omega_p - \omega_b),$$"
+        "\n\n"
+        r"where $\mathbf{e}_k = (-\sin\beta_k, \cos\beta_k)$ is its driven direction, $\mathbf{v}$ "
+        r"the velocity of the centre, $\omega_p$ the yaw rate of the platform and $\omega_b$ the "
+        r"spin of the ball. It is positive where the platform moves over the surface along "
+        r"$\mathbf{e}_k$.",
         PAPER,
         (
             Step(
