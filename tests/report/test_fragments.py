@@ -203,6 +203,11 @@ def test_no_text_of_a_row_becomes_markup(
     [
         pytest.param("x=1; printed=2; derived=3", r"at \(x=1\): printed 2, derived 3", id="point"),
         pytest.param("printed=2; derived=3", "printed 2, derived 3", id="no point"),
+        pytest.param(
+            "v_1(t)=1; int_v_1_from_0(t)=2",
+            r"at \(v_{1}(t)=1\), \(\int_{0}^{t} v_{1}\,dt=2\): ",
+            id="unknown function",
+        ),
         pytest.param("see the page", "see the page", id="words"),
         pytest.param("", "", id="none"),
     ],

@@ -22,6 +22,8 @@ from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable
 from omniproof.transcription.model import Kind, Reading, Source
 
 _UNALIGNED = re.compile(r"&(?==)")
+_INTEGRAL = re.compile(r"int_(\w+)_from_(\w+)\((\w+)\)")
+_VALUE = re.compile(r"(\w+)\((\w+)\)")
 FOLDED = frozenset({Verdict.VERIFIED, Verdict.UNCHECKABLE, Verdict.INCONSISTENT, Verdict.EDITORIAL})
 
 ENGINES: Mapping[str, str] = {
@@ -224,7 +226,15 @@ def witness_html(witness: str) -> str:
 
 
 def symbol_latex(name: str) -> str:
-    r"""Return the LaTeX of a symbol's name: `alpha_1` becomes `\alpha_{1}`, `V_x` `V_{x}`."""
+    r"""Return the LaTeX of a name: `alpha_1` gives `\alpha_{1}`, `v_1(t)` `v_{1}(t)`.
+
+    `int_v_1_from_0(t)` is the integral of an unknown function (`audit.integrals`).
+    """
+    if integral := _INTEGRAL.fullmatch(name):
+        function, lower, upper = integral.groups()
+        return rf"\int_{{{lower}}}^{{{upper}}} {symbol_latex(function)}\,d{upper}"
+    if value := _VALUE.fullmatch(name):
+        return f"{symbol_latex(value[1])}({value[2]})"
     stem, _, sub = name.partition("_")
     head = rf"\{stem}" if stem in GREEK else stem
     if len(head) > 1 and stem not in GREEK:
