@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import by_hand
 import pytest
+from altered import broken_speed, clear_caches, mechanics, swapped_speed
 from at_points import CLOSE, Point, digits, random_point, same
 from by_hand import cross, degrees, length
 from mpmath import cos, det, inverse, matrix, mpf, pi, sin, sqrt
 from sympy import Expr, MatrixBase
 
-from omniproof.kinematics import omni
 from omniproof.papers.omni_arrangement.derivations import REGISTRY
 from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.loader import load_paper
@@ -252,34 +250,6 @@ def test_the_least_member_of_the_isosceles_family(
 # Altered mechanics: every derivation that rests on it changes
 
 
-def broken_speed(direction: Any, position: Any, velocity: Any, yaw_rate: Any) -> Any:
-    """A slip in the cross product: one lever counts twice."""
-    (n_x, n_y), (q_x, q_y), (v_x, v_y) = direction, position, velocity
-    return n_x * (v_x - 2 * yaw_rate * q_y) + n_y * (v_y + yaw_rate * q_x)
-
-
-def swapped_speed(direction: Any, position: Any, velocity: Any, yaw_rate: Any) -> Any:
-    """The components of the velocity change places."""
-    (n_x, n_y), (q_x, q_y), (v_x, v_y) = direction, position, velocity
-    return n_x * (v_y - yaw_rate * q_y) + n_y * (2 * v_x + yaw_rate * q_x)
-
-
-def clear_caches() -> None:
-    for name, module in list(sys.modules.items()):
-        if name.startswith(OURS):
-            for value in vars(module).values():
-                getattr(value, "cache_clear", lambda: None)()
-
-
-@contextmanager
-def mechanics(speed: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    with monkeypatch.context() as patch:
-        patch.setattr(omni, "rolling_speed", speed)
-        clear_caches()
-        yield
-    clear_caches()
-
-
 def leaves(derived: Any) -> Iterator[Any]:
     """All expressions of a derived side, its proof of a correction included."""
     match derived:
@@ -340,7 +310,7 @@ WITHOUT_MECHANICS = {
 
 @pytest.fixture(scope="module")
 def before() -> dict[str, list[str]]:
-    clear_caches()
+    clear_caches(OURS)
     return {claim: values(claim) for claim in REGISTRY.derivations}
 
 
@@ -349,7 +319,7 @@ def test_what_rests_on_mechanics_changes_with_the_rolling_constraint(
 ) -> None:
     unchanged = set(REGISTRY.derivations)
     for speed in (broken_speed, swapped_speed):
-        with mechanics(speed, monkeypatch):
+        with mechanics(speed, OURS, monkeypatch):
             unchanged -= {claim for claim in unchanged if values(claim) != before[claim]}
     functions = {REGISTRY.derivations[claim].build.__name__ for claim in unchanged}
     assert functions == set(WITHOUT_MECHANICS)

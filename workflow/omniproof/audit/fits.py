@@ -2,9 +2,9 @@
 
 Which set-ups give all cells of a table, each decimal rounded or truncated? A cell is right when one
 of them gives it by rounding, misrounded when all of them give it by truncation; a cell that the
-set-up of the derivation does not give is judged for itself, and says nothing of others. A printed number of
-the set-up is right when it is among the solutions. Otherwise it contradicts the cells, and only the
-author knows which of both was simulated.
+set-up of the derivation does not give is judged for itself, and says nothing of others. A printed
+number of the set-up is right when it is among the solutions. Otherwise it contradicts the cells,
+and only the author knows which of both was simulated.
 """
 
 from __future__ import annotations
@@ -59,9 +59,10 @@ class _Question:
     fit: Fit
 
     def judged(self) -> Row:
-        rounded, truncated = map(self.solved, (Reading.ROUNDED, Reading.TRUNCATED))
+        rounded = self.solved(Reading.ROUNDED)
         if rounded.pieces:
             return self.decided(Verdict.VERIFIED, f"{rounded.text()} with all cells")
+        truncated = self.solved(Reading.TRUNCATED)
         if truncated.pieces:
             row = self.decided(Verdict.MISROUNDED, f"{truncated.text()} with all cells")
             return self.mended(row, "truncated in every set-up that gives all cells")

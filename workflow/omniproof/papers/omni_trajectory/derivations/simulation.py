@@ -7,6 +7,8 @@ three places among the solutions.
 
 from __future__ import annotations
 
+from functools import cache
+
 from sympy import Abs, Expr, ImmutableMatrix, Integer, Rational, Symbol, cos, pi, sin
 
 from omniproof.kinematics import trajectory
@@ -45,6 +47,7 @@ def rates(direction: Expr, rim_speed: Expr = NONE) -> ImmutableMatrix:
     return ImmutableMatrix(RPM * matrix() * ImmutableMatrix(moving))
 
 
+@cache
 def _inputs() -> dict[str, Expr]:
     """Derive the cells of Tables 3 and 4 by their ids."""
     found = {}
