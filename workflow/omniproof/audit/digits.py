@@ -2,7 +2,8 @@
 
 Nothing here rests on FLINT, on normal forms, on prime fields or on the floats of the repair; the
 reader alone is shared. So where an engine and these digits disagree about two formulas, it is the
-engine that is wrong. A value is a number, or an mpmath matrix.
+engine that is wrong. The corpus, the mutation study and the fuzzing are judged by them. A value is
+a number, or an mpmath matrix.
 """
 
 from __future__ import annotations
