@@ -8,8 +8,10 @@ one after x = a + t/(1 - t). Everything else is undecided, and says that a range
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from fractions import Fraction
+from itertools import islice, product
 from math import lcm
 from typing import Any, TypeAlias
 
@@ -38,10 +40,15 @@ from omniproof.audit.balls import (
 from omniproof.audit.exact import sign, subtract, vanishes
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
+from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, sign_on
 
 ENGINE = ("flint",)
 WANTED = {"<": -1, "\\leq": -1, ">": 1, "\\geq": 1}
+FAILS = {"<": ">=", "\\leq": ">", ">": "<=", "\\geq": "<", "\\neq": "=="}
+STEPS = 1_000_000
+"""More than a confirmation is given: here z3 is the only one left, and takes a second at most."""
+MOST_CANDIDATES = 30
 ADVICE = "no proof was found without a bounded range for each symbol"
 PROBES = 60
 Point: TypeAlias = Mapping[sp.Symbol, Any]
@@ -72,13 +79,18 @@ class _Comparison:
             return self.of_numbers()
         if self.operator == "\\neq":
             return self.unequal()
-        if self.bounded:
-            family = OnBox(self.difference, self.box)
-            answer = sign_on(family, WANTED[self.operator], zero=self.may_vanish)
-            if not isinstance(answer, Undecided):
-                return self.with_sides(answer)
-            return self.refuted() or answer
-        return self.refuted() or (Proved(ENGINE) if self.is_evident() else self.on_the_line())
+        return self.bounded_order() if self.bounded else self.unbounded_order()
+
+    def bounded_order(self) -> Answer:
+        family = OnBox(self.difference, self.box)
+        answer = sign_on(family, WANTED[self.operator], zero=self.may_vanish)
+        if not isinstance(answer, Undecided):
+            return self.with_sides(answer)
+        return self.refuted() or self.by_algebra() or answer
+
+    def unbounded_order(self) -> Answer:
+        answer = self.refuted() or (Proved(ENGINE) if self.is_evident() else self.on_the_line())
+        return self.by_algebra() or answer if isinstance(answer, Undecided) else answer
 
     def refuted(self) -> Refuted | None:
         wrong = self.counterexample()
@@ -155,6 +167,30 @@ class _Comparison:
         value = place.subs(own, _closed_form(answer.witness.point[name]))
         return Refuted(ENGINE, self.witness({self.symbols[0]: value}))
 
+    def by_algebra(self) -> Answer | None:
+        """Ask z3 for a counterexample; a point counts only where it is confirmed exactly."""
+        from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
+
+        region = Region(self.box, conditions=tuple(self.domain.conditions))
+        found = find_point([(self.difference, FAILS[self.operator])], region, steps=STEPS)
+        if isinstance(found, Nowhere):
+            return Proved(("z3",))
+        if isinstance(found, Somewhere):
+            near = _points_near({symbol: found.point[symbol] for symbol in self.symbols})
+            for point in islice(near, MOST_CANDIDATES):
+                if self.is_counterexample(point):
+                    return Refuted((*ENGINE, "z3"), self.witness(point))
+        return None
+
+    def is_counterexample(self, point: Point) -> bool:
+        """Whether an exact point is in the domain, and the statement certainly false there."""
+        try:
+            inside = all(self.is_inside(symbol, value) for symbol, value in point.items())
+            met = all(condition.subs(point) == sp.true for condition in self.domain.conditions)
+            return inside and met and not self.holds_at(point)
+        except UnsupportedError:
+            return False
+
     def compact(self) -> tuple[OnBox | None, sp.Expr | None]:
         """Put the variable on a bounded interval; returns also what it is there."""
         (symbol,), (range_,) = self.symbols, self.box.values()
@@ -173,14 +209,15 @@ class _Comparison:
     def unequal(self) -> Answer:
         """Decide `a != b`: one sign throughout, or the zeros in closed form."""
         if not self.bounded:
-            return Undecided(ADVICE, ENGINE)
+            return self.by_algebra() or Undecided(ADVICE, ENGINE)
         answers = [sign_on(OnBox(self.difference, self.box), wanted) for wanted in (1, -1)]
         if any(isinstance(answer, Proved) for answer in answers):
             return Proved(ENGINE)
         (symbol, *others) = self.symbols
         parts = [answer for answer in answers if isinstance(answer, OnBranch)]
         if others or not parts:
-            return Undecided("the points where both sides agree were not found", ENGINE)
+            missed = Undecided("the points where both sides agree were not found", ENGINE)
+            return self.by_algebra() or missed
         zeros = sorted(self.zeros(symbol, parts), key=float)
         if not zeros:
             return Proved(ENGINE)
@@ -205,6 +242,20 @@ class _Comparison:
             return vanishes(self.difference.subs(symbol, end))
         except UnsupportedError:
             return False
+
+
+def _points_near(point: Mapping[sp.Symbol, Fraction]) -> Iterator[Point]:
+    """Yield exact points: with coordinates in closed form first, then rational ones."""
+    choices = [[*_closed_forms(value), sp.Rational(value)] for value in point.values()]
+    return (dict(zip(point, values, strict=True)) for values in product(*choices))
+
+
+def _closed_forms(value: Fraction) -> Iterator[sp.Expr]:
+    """Yield multiples of pi, short rationals, and roots of them."""
+    yield from recognise(float(value))
+    if value != 0:
+        yield from (sp.sign(value) * sp.sqrt(square) for square in recognise(float(value) ** 2))
+    yield sp.Rational(value.limit_denominator(1000))
 
 
 def _compact(t: sp.Symbol, lower: Any, upper: Any) -> tuple[sp.Expr, tuple[Any, Any]]:
