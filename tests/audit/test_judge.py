@@ -124,8 +124,8 @@ def test_rows(name: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
          "latter."),
         ("sec:2/lever", "flint", "the lever is stated. stated at sec:2/lever: the lever is 1; "
          "used at app:A/lever: the lever is L. The printed formulas need the latter."),
-        ("tab:2[truncated,value]", "flint", "numbers. truncated, relative error -0.0029."),
-        ("tab:2[neighbour,value]", "flint", "numbers. off by one, relative error -0.0037."),
+        ("tab:2[truncated,value]", "flint+mpmath", "numbers. truncated, relative error -0.0029."),
+        ("tab:2[neighbour,value]", "flint+mpmath", "numbers. off by one, relative error -0.0037."),
         ("xref:sec-3-cites-eq-1", "text", "eq:1 does not contain $y$."),
         ("xref:sec-3-cites-2", "", "the title says so."),
         ("sec:3/noble", "", "misspelt."),

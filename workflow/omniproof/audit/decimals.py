@@ -62,7 +62,7 @@ class DecimalFinding:
     `digits` shows the exact value to six significant digits; `relative_error` is
     (printed - exact) / |exact| to two digits, empty when the exact value is zero; `correction` is
     the decimal of the same length that should stand there (of two in a tie, the one further from
-    zero).
+    zero). `engines` are those that came to this class.
     """
 
     rounding: Rounding
@@ -70,6 +70,7 @@ class DecimalFinding:
     digits: str
     relative_error: str
     correction: str
+    engines: tuple[str, ...] = ENGINE
 
     @property
     def interval_text(self) -> str:

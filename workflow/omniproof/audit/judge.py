@@ -8,8 +8,9 @@ from dataclasses import replace
 from sympy import Expr, MatrixBase
 
 from omniproof.audit.answer import Answer, Proved, Refuted, Undecided
+from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
-from omniproof.audit.decimals import Rounding, classify
+from omniproof.audit.decimals import Rounding
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
 from omniproof.audit.relations import equivalent, instance, judge, merge
@@ -56,7 +57,7 @@ _BY_ROUNDING = {
 
 def _judge_value(claim: Claim, context: Context) -> Row:
     value = context.derive(claim.id)
-    finding = classify(value, str(claim.printed))
+    finding = confirmed_class(value, str(claim.printed))
     row = start(claim, context)
     if isinstance(finding, Undecided):
         return answered(row, finding, context)
@@ -66,7 +67,7 @@ def _judge_value(claim: Claim, context: Context) -> Row:
             "verdict": verdict,
             "derived": context.spelling.latex(value),
             "interval": finding.interval_text,
-            "engines": "flint",
+            "engines": "+".join(finding.engines),
         }
     )
     if verdict is Verdict.VERIFIED:

@@ -27,7 +27,8 @@ import sympy as sp
 
 from omniproof.audit.answer import Undecided
 from omniproof.audit.balls import UnsupportedError
-from omniproof.audit.decimals import DecimalFinding, classify, solve_for
+from omniproof.audit.confirm_decimals import confirmed_class
+from omniproof.audit.decimals import DecimalFinding, solve_for
 from omniproof.audit.exact import sign
 from omniproof.audit.intervals import Piece
 from omniproof.audit.preimage import MOST_CELLS, SMALLEST
@@ -208,7 +209,7 @@ def contradicting(checked: Iterable[Checked], reading: Reading) -> tuple[str, ..
 
 def _check(cell: Cell, setup: Mapping[sp.Symbol, sp.Expr]) -> Checked:
     value = cell.value.xreplace(dict(setup))
-    finding = classify(value, cell.printed)
+    finding = confirmed_class(value, cell.printed)
     if isinstance(finding, Undecided):
         raise UnsupportedError(f"{cell.name}: {finding.reason}")
     readings = (Reading.ROUNDED, Reading.TRUNCATED)
