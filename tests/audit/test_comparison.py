@@ -117,13 +117,17 @@ def test_a_witness_lies_in_the_range():
         pytest.param(
             sin(x) ** 2, "\\neq", sp.S.Zero, between(-1, 4), r"x \neq 0,\; x \neq \pi", id="but two"
         ),
+        pytest.param(
+            SUM, "<", sp.Rational(3, 2), TRIANGLE,
+            r"A \neq \frac{\pi}{3} \text{ or } B \neq \frac{\pi}{3}", id="but one of a box"),
     ],
 )  # fmt: skip
 def test_true_on_a_set(left, sign, right, domain, condition):
     found = compare(left, sign, right, domain)
     assert isinstance(found, OnBranch)
     assert found.condition == condition
-    place = {x: sp.sympify(found.witness.point["x"])}
+    named = {symbol.name: symbol for symbol in (left - right).free_symbols}
+    place = {named[name]: sp.sympify(value) for name, value in found.witness.point.items()}
     assert sp.And(*found.relations).subs(place) == sp.false
 
 

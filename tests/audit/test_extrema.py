@@ -173,6 +173,52 @@ def test_the_set_of_a_sign_is_exact(function, box, condition, degrees):
     assert function.subs(t, place) <= 0
 
 
+TRIANGLE = {A: (0, pi), B: (0, pi)}
+HALVES = sp.Rational(3, 2) - cos(A) - cos(B) + cos(A + B)  # least for the equilateral triangle
+SQUARE = {A: (-1, 2), B: (-1, 2)}
+OFF_AXIS = r"A \neq 0 \text{ or } B \neq 0"
+
+
+@pytest.mark.parametrize(
+    ("function", "box", "condition"),
+    [
+        pytest.param(
+            HALVES, TRIANGLE, r"A \neq \frac{\pi}{3} \text{ or } B \neq \frac{\pi}{3}", id="angles"
+        ),
+        pytest.param(A**2 + B**2, SQUARE, OFF_AXIS, id="origin"),
+        pytest.param((A**2 + B**2) * (3 + A) / (2 + B), SQUARE, OFF_AXIS, id="factors"),
+        pytest.param(
+            (A**2 + B**2) * ((A - 1) ** 2 + (B - 1) ** 2), SQUARE,
+            rf"({OFF_AXIS}) \text{{ and }} (A \neq 1 \text{{ or }} B \neq 1)", id="two points",
+        ),
+    ],
+)  # fmt: skip
+def test_a_function_that_touches_zero_at_points_of_a_box(function, box, condition):
+    assert isinstance(sign_on(Family(function, box), 1, zero=True), Proved)
+    assert not isinstance(sign_on(Family(function, box), -1, zero=True), Proved)
+    found = sign_on(Family(function, box), 1)
+    assert isinstance(found, OnBranch)
+    assert found.condition == condition
+    place = {s: sp.sympify(found.witness.point[s.name]) for s in box}
+    assert function.subs(place) == 0
+    assert sp.And(*found.relations).subs(place) == sp.false
+
+
+@pytest.mark.parametrize(
+    ("function", "answer"),
+    [
+        pytest.param(1 / (A**2 + B**2), Proved, id="a pole is no zero"),
+        pytest.param((A**2 + B**2) / (A**2 + B**2 + 3 * A * B / 2), Proved, id="undefined there"),
+        pytest.param((A - 1) ** 2 * (B + 2), Undecided, id="a line of zeros"),
+        pytest.param((A - B) ** 2, Undecided, id="an oblique line of zeros"),
+        pytest.param(A**4 + B**4, Undecided, id="no curvature at the zero"),
+        pytest.param((A - sqrt(2) / 3) ** 2 + B**2, Undecided, id="a zero that is not recognised"),
+    ],
+)
+def test_strict_signs_on_a_square(function, answer):
+    assert isinstance(sign_on(Family(function, SQUARE), 1), answer)
+
+
 @pytest.mark.parametrize(
     ("function", "box", "condition"),
     [

@@ -16,6 +16,7 @@ x, y, t = symbols("x y t", real=True)
 u = Symbol("u", positive=True)
 n = Symbol("n", real=True, nonzero=True)
 TURN = {t: (Integer(0), 2 * pi)}
+SQUARE = {x: (-Integer(1), Integer(2)), y: (-Integer(1), Integer(2))}
 HALF = {t: (Integer(0), pi)}
 ROOTS = {"one": Integer(1), "two": sqrt(2), "three": sqrt(3)}
 
@@ -67,6 +68,8 @@ STATEMENTS = [
     false("ellipse", Curve((t, t**2), TURN), "a parabola"),
     true("chain", Ordered((sin(t), t), HALF), "sin t < t"),
     false("chain", Ordered((t, sin(t)), HALF), "t > sin t"),
+    true("chain", Ordered((-x * x - 1, y * y), SQUARE), "of two variables"),
+    false("chain", Ordered((-x * x, y * y), SQUARE), "equal at the origin"),
 ]  # fmt: skip
 
 

@@ -37,7 +37,7 @@ def holds(chain: Ordered) -> Answer:
     if all(isinstance(answer, Proved) for answer, _, _ in links):
         return Proved(ENGINE)
     for answer, left, right in links:
-        if isinstance(answer, Refuted):
+        if isinstance(answer, Refuted) or (isinstance(answer, OnBranch) and len(chain.box) > 1):
             where = "never" if len(chain.box) == 1 else "not always"
             told = f"${sp.latex(left)} < {sp.latex(right)}$ holds {where}"
             return Refuted(ENGINE, answer.witness, told)

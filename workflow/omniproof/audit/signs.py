@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from itertools import pairwise
-from typing import Any
+from collections.abc import Callable, Iterable
+from itertools import pairwise, product
+from typing import Any, TypeAlias
 
 import sympy as sp
 
@@ -13,12 +13,15 @@ from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.box import Box, middle
 from omniproof.audit.exact import sign, vanishes
 from omniproof.audit.intervals import Piece, condition_latex, in_degrees, pieces_of
-from omniproof.audit.positivity import Positive, prove_positive
+from omniproof.audit.positivity import Open, Positive, prove_positive
 from omniproof.audit.quotient import Family, OnBox, Quotient
-from omniproof.audit.sign_chart import Chart, sign_chart
+from omniproof.audit.sign_chart import Chart, recognise, sign_chart
 
 ENGINE = ("flint",)
 CLAIM = {1: "> 0", -1: "< 0"}
+MOST_ZEROS = 4
+FINEST_TURN = 24
+"""Zeros inside of a box of several variables are looked for among multiples of pi/24 and below."""
 
 
 def sign_on(family: Family, wanted: int, *, zero: bool = False) -> Answer:
@@ -63,28 +66,88 @@ def _sign_of(function: Quotient, wanted: int, zero: bool) -> Answer:
     if wrong is not None:
         witness = Witness(function.name(wrong), CLAIM[wanted], function.digits(wrong))
         return Refuted(ENGINE, witness)
-    total = 1
-    for part in (function.numerator, function.denominator):
-        for factor in sp.Mul.make_args(part):
-            total *= _sign_of_factor(factor, function.box)
-    if total == wanted:
-        return Proved(ENGINE)
-    return Undecided("its sign is the opposite one, but no point shows that", ENGINE)
+    total, zeros = 1, []
+    for factor in sp.Mul.make_args(function.numerator):
+        sign_, own = _sign_of_factor(factor, function.box, zero)
+        total, zeros = total * sign_, zeros + own
+    for factor in sp.Mul.make_args(function.denominator):
+        total *= _sign_of_factor(factor, function.box, True)[0]
+    if total != wanted:
+        return Undecided("its sign is the opposite one, but no point shows that", ENGINE)
+    zeros = [own for own in zeros if len(own) < len(function.box.symbols)
+             or not function.is_pole(tuple(own.values()))]  # fmt: skip
+    return Proved(ENGINE) if zero or not zeros else _but_at(zeros, function, wanted)
 
 
-def _sign_of_factor(factor: sp.Expr, box: Box) -> int:
+Zero: TypeAlias = dict[sp.Symbol, Any]
+"""Exact values of those symbols that a factor has."""
+
+
+def _sign_of_factor(factor: sp.Expr, box: Box, zero: bool) -> tuple[int, list[Zero]]:
+    """Prove a sign, and find the points where the factor vanishes; in a line, only if it may."""
     if not factor.free_symbols:
-        return sign(factor)
+        return sign(factor), []
     sides = zip(box.symbols, box.sides, strict=True)
     own = {symbol: side for symbol, side in sides if symbol in factor.free_symbols}
     for candidate in (1, -1):
         if len(own) == 1 and len(own) < len(box.symbols):
-            shown = isinstance(sign_on(OnBox(factor, own), candidate), Proved)
-        else:
-            shown = isinstance(prove_positive(candidate * factor, Box.of(own)), Positive)
-        if shown:
-            return candidate
+            if isinstance(sign_on(OnBox(factor, own), candidate, zero=zero), Proved):
+                return candidate, []
+            continue
+        zeros = _zeros_of_positive(candidate * factor, Box.of(own))
+        if zeros is not None:
+            return candidate, [dict(zip(own, point, strict=True)) for point in zeros]
     raise UnsupportedError(f"no constant sign of {factor} was proved")
+
+
+def _zeros_of_positive(function: sp.Expr, box: Box) -> list[tuple[Any, ...]] | None:
+    """Return all zeros of a function that is positive elsewhere; None where that is not proved.
+
+    Where a proof gets stuck there may be a zero: one that is recognised and exact is named, and
+    the proof is tried again.
+    """
+    zeros: list[tuple[Any, ...]] = []
+    while len(zeros) <= MOST_ZEROS:
+        match prove_positive(function, box, zeros):
+            case Positive():
+                return zeros
+            case Open(places=places) if found := _zero_near(function, box, places, zeros):
+                zeros.append(found)
+            case _:
+                return None
+    return None
+
+
+def _zero_near(
+    function: sp.Expr, box: Box, places: Iterable[tuple[float, ...]], known: list[tuple[Any, ...]]
+) -> tuple[Any, ...] | None:
+    for place in places:
+        for point in product(*(recognise(x, 1e-5, FINEST_TURN) for x in place)):
+            exact = function.subs(dict(zip(box.symbols, point, strict=True)))
+            if point not in known and box.contains(point) and vanishes(exact):
+                return point
+    return None
+
+
+def _completed(zero: Zero, box: Box) -> tuple[Any, ...]:
+    """Give the other symbols of a box a value, too."""
+    inside = box.rational_near(middle(box.unit_cell, box.enclosed_sides()))
+    values = zip(box.symbols, inside or (), strict=True)
+    return tuple(zero.get(symbol, sp.Rational(str(value))) for symbol, value in values)
+
+
+def _but_at(zeros: list[Zero], function: Quotient, wanted: int) -> OnBranch:
+    """Say that a sign holds everywhere but at these points."""
+    point = _completed(zeros[0], function.box)
+    if function.is_pole(point):
+        raise UnsupportedError("it vanishes, but where it is defined was not found")
+    asked = dict(zip(function.box.symbols, function.asked, strict=True))
+    apart = [[sp.Ne(asked[s], value) for s, value in zero.items()] for zero in zeros]
+    texts = [" \\text{ or } ".join(map(sp.latex, unequal)) for unequal in apart]
+    condition = " \\text{ and } ".join(f"({text})" if len(texts) > 1 else text for text in texts)
+    relations = tuple(sp.Or(*unequal) for unequal in apart)
+    witness = Witness(function.name(point), CLAIM[wanted], "0")
+    return OnBranch(ENGINE, condition, witness, relations=relations)
 
 
 def _sign_on_line(function: Quotient, wanted: int, zero: bool) -> Answer:
