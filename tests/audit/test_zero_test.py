@@ -118,6 +118,39 @@ def test_what_the_domain_settles_is_no_condition():
 
 
 @pytest.mark.parametrize(
+    ("left", "right", "condition"),
+    [
+        pytest.param(
+            sp.cos(x / 3),
+            sp.sqrt(1 - sp.sin(x / 3) ** 2),
+            r"\cos{\left(\frac{x}{3} \right)} \geq 0",
+            id="a slow angle",
+        ),
+        pytest.param(
+            sp.cos(sp.pi * x / 180),
+            sp.sqrt((1 + sp.cos(sp.pi * x / 90)) / 2),
+            r"\cos{\left(\frac{\pi x}{180} \right)} \geq 0",
+            id="degrees",
+        ),
+        pytest.param(sp.Abs(300 - x), 300 - x, r"300 - x \geq 0", id="a large number"),
+    ],
+)
+def test_a_difference_far_out_is_found(left, right, condition):
+    """No point within (-3, 3) shows one."""
+    found = decide_equal(left, right)
+    assert isinstance(found, OnBranch)
+    assert found.condition == condition
+    assert abs(Fraction(found.witness.point["x"])) > 3
+    gap = high_precision(left - right, found.witness.point)
+    assert abs(gap) > mpmath.mpf(10) ** -40
+
+
+def test_a_bounded_domain_has_nothing_far_out():
+    inside = Domain({"x": (-sp.pi, sp.pi)})
+    assert isinstance(decide_equal(sp.cos(x / 2), sp.sqrt((1 + sp.cos(x)) / 2), inside), Proved)
+
+
+@pytest.mark.parametrize(
     ("expression", "reason"),
     [
         pytest.param(x / 0, "undefined value", id="division by zero"),

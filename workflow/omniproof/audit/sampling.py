@@ -25,21 +25,27 @@ from omniproof.audit.balls import (
 )
 
 MOST_TRIES = 60  # points tried for one at which all conditions hold
-REACH = 6  # length of the interval in which an unbounded symbol is sampled
+REACH = 6  # length of the interval in which an unbounded symbol is sampled, unless told
 DENOMINATORS = range(3, 14)
 
 Sample = dict[sp.Symbol, fmpq]
 
 
 def sample_points(
-    symbols: Iterable[sp.Symbol], domain: Domain = REALS, *, count: int = 40, seed: int = 0
+    symbols: Iterable[sp.Symbol],
+    domain: Domain = REALS,
+    *,
+    count: int = 40,
+    seed: int = 0,
+    reach: int = REACH,
 ) -> Iterator[Sample]:
     """Yield up to `count` rational points inside the domain; one empty point without symbols.
 
+    Unbounded symbols lie in an interval of length `reach`.
     Raises `UnsupportedError` when an interval is empty or its end points are not numbers.
     """
     ordered = sorted(symbols, key=str)
-    ranges = {symbol: _Range(*bounds(symbol, domain)) for symbol in ordered}
+    ranges = {symbol: _Range(*bounds(symbol, domain, reach)) for symbol in ordered}
     generator = random.Random(seed)  # noqa: S311 - points, not secrets
     found = 0
     for _ in range((MOST_TRIES if domain.conditions else 1) * (count if ranges else 1)):
@@ -63,7 +69,7 @@ def _is_allowed(point: Sample, domain: Domain, generator: random.Random) -> bool
     return True
 
 
-def bounds(symbol: sp.Symbol, domain: Domain = REALS) -> tuple[Any, Any]:
+def bounds(symbol: sp.Symbol, domain: Domain = REALS, reach: int = REACH) -> tuple[Any, Any]:
     """Return the finite interval in which a symbol is sampled, from its sign and the domain."""
     lower, upper = map(exact_number, domain.intervals.get(symbol.name, (-sp.oo, sp.oo)))
     if symbol.is_nonnegative:
@@ -71,9 +77,9 @@ def bounds(symbol: sp.Symbol, domain: Domain = REALS) -> tuple[Any, Any]:
     if symbol.is_nonpositive:
         upper = sp.Min(upper, 0)
     if lower == -sp.oo:
-        lower = sp.Integer(-REACH) / 2 if upper == sp.oo else upper - REACH
-        upper = sp.Integer(REACH) / 2 if upper == sp.oo else upper
-    return lower, lower + REACH if upper == sp.oo else upper
+        lower = sp.Integer(-reach) / 2 if upper == sp.oo else upper - reach
+        upper = sp.Integer(reach) / 2 if upper == sp.oo else upper
+    return lower, lower + reach if upper == sp.oo else upper
 
 
 @dataclass(frozen=True)

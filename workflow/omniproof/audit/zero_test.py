@@ -39,13 +39,14 @@ from omniproof.audit.exact import subtract
 from omniproof.audit.hypotheses import settle
 from omniproof.audit.normal_form import NormalForm, normal_form
 from omniproof.audit.quotient import OnBox
-from omniproof.audit.sampling import Sample, sample_points
+from omniproof.audit.sampling import REACH, Sample, sample_points
 from omniproof.audit.signs import sign_on
 from omniproof.audit.survey import is_root
 
 ENGINE = ("flint",)
 FIRST_LOOK, SECOND_LOOK, BRANCH_LOOK = 3, 60, 32
 LOW, HIGH = 128, 1_024
+FAR = (8, 80, 800)  # the first is more than a turn of the slowest angle
 UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo)
 
 
@@ -150,10 +151,10 @@ class _Question:
 
     def on_branch(self, form: NormalForm, probes: list[_Probe]) -> Answer:
         """Answer where the truth depends on signs, that the domain may or may not settle."""
-        condition = find_condition(form, self.difference)
-        if condition is not None:
-            parts = (part for part in condition.parts if not self.is_positive(part))
-            condition = Condition(tuple(parts), condition.strict)
+        condition = self.condition(form)
+        settled = condition is not None and not condition.parts
+        if not settled and not any(probe.differs for probe in probes):
+            probes = [*probes, *self.far_probes(form)]
         differing = [probe for probe in probes if probe.differs]
         if not differing:
             return self.without_counterexample(condition)
@@ -161,6 +162,27 @@ class _Question:
         if condition is None or not self.is_exact(condition, probes):
             return Refuted(ENGINE, witness, "it holds in a part of the domain")
         return OnBranch(ENGINE, condition.latex, witness, relations=condition.relations)
+
+    def condition(self, form: NormalForm) -> Condition | None:
+        """Find the condition, without the parts of it that the domain settles."""
+        condition = find_condition(form, self.difference)
+        if condition is None:
+            return None
+        parts = (part for part in condition.parts if not self.is_positive(part))
+        return Condition(tuple(parts), condition.strict)
+
+    def far_probes(self, form: NormalForm) -> list[_Probe]:
+        """Look further and further out for a difference: cos(x/2) is positive within half a turn.
+
+        Not everywhere, as a witness near zero is easier to check.
+        """
+        slowest = max(form.converter.found.denominators.values(), default=1)
+        probes: list[_Probe] = []
+        for reach in FAR:
+            probes = [p for p in self.probes(BRANCH_LOOK, reach=reach * slowest) if p.defined]
+            if any(probe.differs for probe in probes):
+                break
+        return probes
 
     @staticmethod
     def without_counterexample(condition: Condition | None) -> Answer:
@@ -207,8 +229,8 @@ class _Question:
             return Proved(ENGINE)
         return Undecided("no point of the domain was found at which both sides are defined", ENGINE)
 
-    def probes(self, count: int, precision: int = LOW) -> Iterator[_Probe]:
-        for point in sample_points(self.symbols, self.domain, count=count):
+    def probes(self, count: int, precision: int = LOW, reach: int = REACH) -> Iterator[_Probe]:
+        for point in sample_points(self.symbols, self.domain, count=count, reach=reach):
             with ctx.workprec(precision):
                 values = self.program.run([rational_ball(value) for value in point.values()])
                 yield _Probe(point, *values)
