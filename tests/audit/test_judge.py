@@ -40,6 +40,10 @@ ROWS = [
         derived=r"\Gamma\left(x\right)"),
     row("eq:11", "verified", "it rests on a row with a fault", printed="y", derived="y",
         follows="eq:6[2,3]"),
+    row("eq:13", "verified", "f(2y) is sin 2y", printed="f(2y)", derived=r"\sin {2 y}"),
+    row("eq:14", "erratum", "f(y) is not f(x)", printed="f(y)", derived=r"\sin {x}",
+        correction="f(x)", repair="explained", consequence="motion",
+        witness="x=20/9; y=-26/9; printed=-0.2500; derived=0.7952"),
     row("sec:1/grows", "verified", "1 < 2 < 3", printed="it grows"),
     row("sec:1/shrinks", "erratum", "1 < 2, and the correction is proved", printed="it shrinks",
         correction="it grows", repair="manual", consequence="motion",
@@ -139,11 +143,11 @@ def test_engines_and_notes(name: str, engines: str, note: str, rows: dict[str, R
 def test_rows_stand_in_order_of_place_and_claims_are_counted_without_entries(
     tiny_ledger: Ledger,
 ) -> None:
-    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 37)
+    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 39)
     assert [row.id for row in tiny_ledger.rows[:9]] == [
         "eq:1", "eq:6[1,1]", "eq:6[1,2]", "eq:6[1,3]", "eq:6[2,1]", "eq:6[2,2]", "eq:6[2,3]",
         "eq:7", "eq:8"]  # fmt: skip
-    assert len(tiny_ledger.rows) == 37 + 5
+    assert len(tiny_ledger.rows) == 39 + 5
 
 
 def test_the_same_paper_gives_the_same_bytes(tiny_folder: Path, tiny_ledger: Ledger) -> None:

@@ -43,6 +43,7 @@ symbols:
   - {latex: 'x', name: x, means: a number}
   - {latex: 'y', name: y, means: a number}
   - {latex: 'L', name: L, positive: true, means: a length}
+  - {latex: 'f', name: f, role: quantity, of: 'x', means: a function}
 tables:
   - id: tab:2
     file: table-2.csv
@@ -100,6 +101,8 @@ claims:
     says: name of the frame
     printed: '\Omega'
     agrees_with: sec:3/frame
+  - {id: 'eq:13', kind: identity, line: 13, says: a value, latex: 'f(2y)'}
+  - {id: 'eq:14', kind: identity, line: 14, says: the function, latex: 'f(y)'}
   - {id: 'sec:2/symbol', kind: consistency, line: 21, says: x, printed: x, agrees_with: 'eq:1'}
   - {id: 'sec:2/other', kind: consistency, line: 22, says: y, printed: y, agrees_with: 'eq:1'}
   - id: sec:2/lever
@@ -164,6 +167,7 @@ def write(folder: Path) -> Path:
 def registry() -> Registry:
     """Return the derivations of the paper."""
     tiny = Registry("tiny-paper")
+    tiny.quantities["f"] = lambda: sin(x)
     tiny.conventions["app:A/lever"] = Convention(SHORT, (LONG,))
     for claim, value in _identities().items():
         rests_on = ["eq:6[2,3]"] if claim == "eq:11" else []
@@ -189,6 +193,8 @@ def _identities() -> dict[str, Any]:
         "eq:9": sin(x) * cos(y),
         "eq:10": gamma(x),
         "eq:11": y,
+        "eq:13": sin(2 * y),
+        "eq:14": sin(x),
     }
 
 

@@ -27,9 +27,9 @@ def parsed(text: str) -> tree.Node:
 def value(text: str | tree.Node, point: Point) -> digits.Value:
     """Evaluate an expression at a point; raises `UndefinedError` where it has no real value."""
 
-    def meaning(name: str) -> digits.Value:
-        known = point[name.removeprefix("\\det ")]
-        return mp.det(known) if name.startswith("\\det ") else known
+    def meaning(symbol: tree.Symbolic) -> digits.Value:
+        known = point[symbol.name.removeprefix("\\det ")]
+        return mp.det(known) if symbol.name.startswith("\\det ") else known
 
     return digits.value(parsed(text) if isinstance(text, str) else text, meaning)
 

@@ -16,11 +16,13 @@ from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
 from omniproof.registry import Derivation, Derived, Registry, Relation
-from omniproof.transcription.expression import evaluate
+from omniproof.transcription.checking import known_names
+from omniproof.transcription.expression import Function, evaluate
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role
 from omniproof.transcription.model import Symbol as PrintedSymbol
 from omniproof.transcription.reader import Names, read_with
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, Name, Node, names
 
 
@@ -57,12 +59,7 @@ class Context:
     @cached_property
     def names(self) -> Names:
         """The declared symbols, for reading more LaTeX."""
-        quantities = {
-            printed
-            for printed, symbol in self.loaded.symbols.items()
-            if symbol.role is Role.QUANTITY
-        }
-        return Names(frozenset(self.loaded.symbols), frozenset(quantities))
+        return known_names(self.loaded.symbols)
 
     def value(self, text: str, claim: str) -> Any:
         """Read and evaluate a formula with the symbols of a claim; raises `LatexError`."""
@@ -107,12 +104,13 @@ class Context:
         if claim not in self.lemmas:
             self.lemmas[claim] = self.derivation(claim).meanings()
         own = self.lemmas[claim]
-        return {
-            printed: own[name] if name in own else self.meaning(printed)
-            for printed in names(node)
-            if printed in self.loaded.symbols
-            for name in [self.loaded.symbols[printed].name]
-        }
+        found: dict[str, Any] = {}
+        for printed in names(node) & self.loaded.symbols.keys():
+            symbol = self.loaded.symbols[printed]
+            value = own[symbol.name] if symbol.name in own else self.meaning(printed)
+            variables = tuple(self.meaning(symbol_name(latex)) for latex in symbol.of)
+            found[printed] = Function(value, variables) if variables else value
+        return found
 
     def evaluate(self, claim: str, node: Node | None = None) -> Any:
         """Value of the printed form, or of one part of it; raises `LatexError`."""

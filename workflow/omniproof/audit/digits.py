@@ -27,13 +27,13 @@ class UndefinedError(ArithmeticError):
     """A formula has no real value at a point, or its parts do not fit together."""
 
 
-def value(node: tree.Node, meaning: Callable[[str], Value]) -> Value:
-    """Evaluate a tree; `meaning` gives the value of a symbol by its canonical name.
+def value(node: tree.Node, meaning: Callable[[tree.Symbolic], Value]) -> Value:
+    """Evaluate a tree; `meaning` gives the value of a symbol, with its arguments if it has any.
 
     Raises `UndefinedError` where there is no real value.
     """
     if isinstance(node, tree.Name | tree.Applied):
-        return meaning(node.name)
+        return meaning(node)
     if type(node) not in _RULES:
         raise UndefinedError(f"{type(node).__name__} has no value")
     parts = [value(part, meaning) for part in tree.children(node)]

@@ -166,10 +166,9 @@ def _are_kin(one: Spelled, other: Spelled) -> bool:
 
 
 def _visible(node: tree.Node, entries: bool) -> Iterator[tree.Node]:
-    """Walk a tree, but not into the arguments of a quantity, which only name it."""
+    """Walk a tree; `entries` says whether into matrices and vectors, too."""
     if not entries and isinstance(node, tree.MatrixLiteral | tree.Tuple):
         return
     yield node
-    if not isinstance(node, tree.Applied):
-        for child in tree.children(node):
-            yield from _visible(child, entries)
+    for child in tree.children(node):
+        yield from _visible(child, entries)

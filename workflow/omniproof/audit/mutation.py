@@ -27,11 +27,12 @@ from omniproof.audit.mending import mend
 from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
 from omniproof.audit.run import prepare_to_judge
 from omniproof.transcription.entries import entry_source
+from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import Claim, Kind, Role
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Name, Node
+from omniproof.transcription.tree import Node, Symbolic
 
 POINTS = 4
 PAPERS = Path("paper_data")
@@ -274,14 +275,15 @@ class _Judge:
     def at(self, node: Node, seed: int) -> Value:
         """Give the value at a point, `None` where there is none."""
         try:
-            return value(node, lambda name: self.meaning(name, seed))
+            return value(node, lambda symbol: self.meaning(symbol, seed))
         except UndefinedError:
             return None
 
-    def meaning(self, name: str, seed: int) -> Value:
-        known = self.context.meanings_at(self.original.claim, Name(name)).get(name)
-        if known is None:
-            raise UndefinedError(f"{name} has no meaning")
+    def meaning(self, symbol: Symbolic, seed: int) -> Value:
+        try:
+            known = evaluate(symbol, self.context.meanings_at(self.original.claim, symbol))
+        except LatexError:
+            raise UndefinedError(f"{symbol.name} has no meaning") from None
         return _known_value(known, seed)
 
 

@@ -41,13 +41,13 @@ Path = tuple[int, ...]
 class QuickLook:
     """What it takes to see a wrong repair without proof.
 
-    `read` gives the tree of a text (raises `LatexError`), `meaning` the values of a symbol (raises
-    `KeyError`), `target` those of the truth. `relatives` are symbols that only replace symbols like
-    them.
+    `read` gives the tree of a text (raises `LatexError`), `meaning` the values of a symbol with its
+    arguments (raises `KeyError`), `target` those of the truth. `relatives` are symbols that only
+    replace symbols like them.
     """
 
     read: Callable[[str], tree.Node]
-    meaning: Callable[[str], Values]
+    meaning: Callable[[tree.Symbolic], Values]
     target: Values
     relatives: tuple[str, ...] = ()
 
@@ -114,18 +114,18 @@ class _Search:
     def learn(self, path: Path, node: tree.Node) -> Values:
         """Evaluate the printed tree, and keep the values of every part."""
         if isinstance(node, tree.Name | tree.Applied):
-            values = self.meaning(node.name)
+            values = self.meaning(node)
         else:
             parts = enumerate(tree.children(node))
             values = combine(node, [self.learn((*path, k), part) for k, part in parts])
         self.known[path] = node, values
         return values
 
-    def meaning(self, name: str) -> Values:
+    def meaning(self, node: tree.Symbolic) -> Values:
         try:
-            return self.quick.meaning(name)
+            return self.quick.meaning(node)
         except KeyError:
-            raise ShapeError(f"no values of {name}") from None
+            raise ShapeError(f"no values of {node.name}") from None
 
     @cached_property
     def places(self) -> list[list[_Change]]:
@@ -165,8 +165,6 @@ class _Search:
     def over(self, parent: Path, replaced: dict[int, Values]) -> Values:
         """Evaluate a printed node with other values for some of its children."""
         node = self.known[parent][0]
-        if isinstance(node, tree.Applied):
-            raise ShapeError("a quantity is what it is, whatever its arguments")
         places = range(len(tree.children(node)))
         return combine(node, [self.part((*parent, k), replaced.get(k)) for k in places])
 
@@ -237,9 +235,12 @@ class _Search:
 
 
 def _difference(old: tree.Node, new: tree.Node) -> tuple[Path, tree.Node]:
-    """Find the smallest part in which two trees differ: its place, and the new part."""
+    """Find the smallest part in which two trees differ: its place, and the new part.
+
+    A quantity with its arguments is one part: its values are not made from theirs.
+    """
     path: Path = ()
-    while _label(old) == _label(new):
+    while _label(old) == _label(new) and not isinstance(old, tree.Applied):
         pairs = zip(tree.children(old), tree.children(new), strict=True)
         changed = [(k, one, other) for k, (one, other) in enumerate(pairs) if one != other]
         if len(changed) != 1:
