@@ -226,9 +226,10 @@ def wrong_rows() -> list[str]:
     return wrong
 
 
-def _forget_a_sign(self, cosine, sine, c, s):
+def _forget_a_sign(self, one, other):
+    (cosine, sine, denominator), (c, s, d) = one, other
     times = self.ring.times
-    return times(cosine, c) + times(sine, s), times(cosine, s) + times(sine, c)
+    return times(cosine, c) + times(sine, s), times(cosine, s) + times(sine, c), denominator * d
 
 
 def _always_plus(self, place):

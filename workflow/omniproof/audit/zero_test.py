@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 from flint import ctx
@@ -39,7 +40,7 @@ from omniproof.audit.exact import subtract
 from omniproof.audit.hypotheses import settle
 from omniproof.audit.normal_form import NormalForm, normal_form
 from omniproof.audit.quotient import OnBox
-from omniproof.audit.sampling import REACH, Sample, sample_points
+from omniproof.audit.sampling import REACH, Sample, by_name, sample_points
 from omniproof.audit.signs import sign_on
 from omniproof.audit.survey import is_root
 
@@ -65,12 +66,16 @@ def decide(expression: sp.Expr, domain: Domain = REALS) -> Answer:
 def decide_equal(printed: sp.Expr, derived: sp.Expr, domain: Domain = REALS) -> Answer:
     """Decide whether two formulas agree wherever both are defined; a witness shows both values."""
     printed, derived = exact_number(printed), exact_number(derived)
+    answer = _guarded(printed, derived, domain)
+    return (isinstance(answer, Undecided) and _undefined(printed, derived)) or answer
+
+
+def _undefined(printed: sp.Expr, derived: sp.Expr) -> Answer | None:
+    """Answer where a side is undefined as it stands, which balls refuse."""
     undefined = [side.has(*UNDEFINED) for side in (printed, derived)]
     if all(undefined):
         return Undecided("both sides contain a division by zero or another undefined value")
-    if any(undefined):
-        return _one_side_undefined(printed, derived, undefined[0])
-    return _guarded(printed, derived, domain)
+    return _one_side_undefined(printed, derived, undefined[0]) if any(undefined) else None
 
 
 def _one_side_undefined(printed: sp.Expr, derived: sp.Expr, left: bool) -> Answer:
@@ -90,20 +95,19 @@ def _guarded(printed: sp.Expr, derived: sp.Expr, domain: Domain) -> Answer:
 
 @dataclass(frozen=True)
 class _Probe:
-    """A rational point, both sides there, and their difference; all enclosed."""
+    """A rational point, and both sides there, enclosed."""
 
     point: Sample
     printed: Ball
     derived: Ball
-    difference: Ball
 
     @property
     def defined(self) -> bool:
-        return bool(self.difference.is_finite())
+        return bool(self.printed.is_finite() and self.derived.is_finite())
 
     @property
     def differs(self) -> bool:
-        return self.defined and not self.difference.contains(0)
+        return self.defined and not self.printed.overlaps(self.derived)
 
     def witness(self) -> Witness:
         """Write the point and both values, with as many digits as it takes to see a difference."""
@@ -117,31 +121,36 @@ class _Probe:
 
 class _Question:
     def __init__(self, printed: sp.Expr, derived: sp.Expr, domain: Domain) -> None:
-        self.difference = subtract(printed, derived)
-        self.domain = domain
-        self.symbols = sorted(self.difference.free_symbols, key=str)
-        self.program: Program = compile_balls(
-            [printed, derived, self.difference], tuple(self.symbols)
-        )
+        self.printed, self.derived, self.domain = printed, derived, domain
+        self.identical = printed == derived
+        self.parts = _parts(printed, derived)
+        self.symbols = sorted((part for part in self.parts if part.is_Symbol), key=by_name)
+        self.program: Program = compile_balls([printed, derived], self.symbols)
+
+    @cached_property
+    def difference(self) -> sp.Expr:
+        return subtract(self.printed, self.derived)
 
     def answer(self) -> Answer:
-        if any(_may_branch(node) for node in sp.preorder_traversal(self.difference)):
+        """Decide; sides written alike are equal wherever they are defined, if that is anywhere."""
+        if not self.identical and any(map(_may_branch, self.parts)):
             return self.answer_with_branches()
-        differing = next((p for p in self.probes(FIRST_LOOK) if p.differs), None)
-        if differing is None and normal_form(self.difference).is_zero:
-            return self.proved(list(self.probes(FIRST_LOOK)))
-        again = self.probes(SECOND_LOOK, HIGH)
-        differing = differing or next((probe for probe in again if probe.differs), None)
-        if differing is None:
+        probe = next((probe for probe in self.probes(FIRST_LOOK) if probe.defined), None)
+        if probe is None or not probe.differs:
+            if self.identical or normal_form(self.printed, self.derived).is_zero:
+                return self.proved([probe] if probe else [])
+            again = self.probes(SECOND_LOOK, HIGH)
+            probe = next((probe for probe in again if probe.differs), None)
+        if probe is None:
             return Undecided("it is no identity, but no point shows a difference", ENGINE)
-        return Refuted(ENGINE, differing.witness())
+        return Refuted(ENGINE, probe.witness())
 
     def answer_with_branches(self) -> Answer:
         probes = [probe for probe in self.probes(BRANCH_LOOK) if probe.defined]
         differing = [probe for probe in probes if probe.differs]
         if probes and len(differing) == len(probes):
             return Refuted(ENGINE, differing[0].witness())
-        form = normal_form(self.difference)
+        form = normal_form(self.printed, self.derived)
         settle(form, self.difference, self.domain)
         if form.is_zero or all(true for _, true in form.patterns()):
             if differing:
@@ -232,12 +241,22 @@ class _Question:
     def probes(self, count: int, precision: int = LOW, reach: int = REACH) -> Iterator[_Probe]:
         for point in sample_points(self.symbols, self.domain, count=count, reach=reach):
             with ctx.workprec(precision):
-                values = self.program.run([rational_ball(value) for value in point.values()])
-                yield _Probe(point, *values)
+                sides = self.program.run([rational_ball(value) for value in point.values()])
+                yield _Probe(point, *sides)
 
 
-def _may_branch(node: sp.Basic) -> bool:
+def _parts(*formulas: sp.Expr) -> set[sp.Expr]:
+    """Collect all different parts of formulas."""
+    found: set[sp.Expr] = set()
+    waiting = list(formulas)
+    while waiting:
+        part = waiting.pop()
+        if part not in found:
+            found.add(part)
+            waiting.extend(part.args)
+    return found
+
+
+def _may_branch(node: sp.Expr) -> bool:
     """Whether a node is a root or an absolute value of something variable."""
-    if isinstance(node, (sp.Abs, sp.sign)):
-        return bool(node.free_symbols)
-    return bool(isinstance(node, sp.Expr) and is_root(node) and node.free_symbols)
+    return (is_root(node) or isinstance(node, (sp.Abs, sp.sign))) and bool(node.free_symbols)
