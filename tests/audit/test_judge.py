@@ -54,6 +54,11 @@ ROWS = [
     row("sec:1/unproved", "undecided", "the correction x = 2y is not proved",
         printed="they agree", witness="x=20/9; y=-26/9; printed=2.222; derived=-2.889"),
     row("eq:12", "verified", "xy > 0 iff the signs agree", printed="x y > 0"),
+    row("eq:15", "verified", "xy > 0 iff x > 0, where y > 0", printed="x y > 0"),
+    row("sec:1/acute", "erratum", "x = 210 degrees is not acute", correction="x = 210",
+        printed=r"\{210^\circ, 270^\circ, 330^\circ\}", repair="manual", consequence="motion",
+        witness="angle_1=210°; angle_2=270°; angle_3=330°; printed=allowed; "
+        "derived=x = 210° or 330°"),
     row("sec:1/angles", "verified", "t = 210 degrees",
         printed=r"\{210^\circ, 270^\circ, 330^\circ\}"),
     row("sec:1/best", "verified", "2 > 1", printed="it is largest at 90 degrees"),
@@ -143,11 +148,11 @@ def test_engines_and_notes(name: str, engines: str, note: str, rows: dict[str, R
 def test_rows_stand_in_order_of_place_and_claims_are_counted_without_entries(
     tiny_ledger: Ledger,
 ) -> None:
-    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 39)
+    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 41)
     assert [row.id for row in tiny_ledger.rows[:9]] == [
         "eq:1", "eq:6[1,1]", "eq:6[1,2]", "eq:6[1,3]", "eq:6[2,1]", "eq:6[2,2]", "eq:6[2,3]",
         "eq:7", "eq:8"]  # fmt: skip
-    assert len(tiny_ledger.rows) == 39 + 5
+    assert len(tiny_ledger.rows) == 41 + 5
 
 
 def test_the_same_paper_gives_the_same_bytes(tiny_folder: Path, tiny_ledger: Ledger) -> None:

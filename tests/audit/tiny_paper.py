@@ -72,6 +72,20 @@ claims:
     says: signs agree
     latex: 'x y > 0'
     asserts: {form: equivalent}
+  - id: eq:15
+    kind: relation
+    line: 14
+    says: one sign is known
+    latex: 'x y > 0'
+    assumes: 'y > 30^\circ'
+    asserts: {form: equivalent}
+  - id: sec:1/acute
+    kind: relation
+    line: 15
+    says: an acute triangle
+    latex: '\{210^\circ, 270^\circ, 330^\circ\}'
+    assumes: '0 < x < 90^\circ'
+    asserts: {form: instance}
   - id: sec:1/angles
     kind: relation
     line: 15
@@ -212,6 +226,8 @@ def _relations() -> dict[str, Relation]:
             (x, y), correction="x = 2y", proof=(Obligation(Form.EQUAL, (x, 2 * y)),)
         ),
         "eq:12": Relation(Or(And(x > 0, y > 0), And(x < 0, y < 0))),
+        "eq:15": Relation(x > 0),
+        "sec:1/acute": Relation((x, pi - x, 3 * pi / 2), correction="x = 210"),
         "sec:1/angles": Relation((t, pi - t, 3 * pi / 2)),
         "sec:1/best": Relation({"a": Integer(1), "b": Integer(2)}),
     }

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
-from sympy import MatrixBase, Symbol
+from sympy import Gt, Lt, MatrixBase, Symbol
 
 from omniproof.audit.answer import Domain
 from omniproof.audit.balls import UnsupportedError
@@ -122,17 +122,26 @@ class Context:
 
         Raises `LatexError` for what has no value, `UnsupportedError` for an empty domain.
         """
-        ranges = {
-            self.loaded.symbols[printed].name: (evaluate(ends[0], {}), evaluate(ends[1], {}))
-            for printed, ends in self.loaded.ranges.items()
-            if printed in self.loaded.symbols
-        }
-        stated = self.loaded.assumptions.get(claim, ())
-        values = [evaluate(node, self.meanings_at(claim, node)) for node in stated]
+        ranges = {symbol.name: ends for symbol, ends in self._ranges()}
         for name, (lower, upper) in ranges.items():
             if sign(subtract(upper, lower)) <= 0:
                 raise UnsupportedError(f"no value of {name} is left")
-        return domain_of(values, Domain(ranges))
+        return domain_of(self._stated(claim), Domain(ranges))
+
+    def assumed(self, claim: str) -> list[Any]:
+        """Return the same as SymPy relations: `domain` does not tell closed ends from open ones."""
+        ranges = [part for x, (low, high) in self._ranges() for part in (Gt(x, low), Lt(x, high))]
+        return [*ranges, *self._stated(claim)]
+
+    def _ranges(self) -> Iterator[tuple[Symbol, tuple[Any, Any]]]:
+        for printed, (lower, upper) in self.loaded.ranges.items():
+            if printed in self.loaded.symbols:
+                symbol = self._symbol(self.loaded.symbols[printed])
+                yield symbol, (evaluate(lower, {}), evaluate(upper, {}))
+
+    def _stated(self, claim: str) -> list[Any]:
+        stated = self.loaded.assumptions.get(claim, ())
+        return [evaluate(node, self.meanings_at(claim, node)) for node in stated]
 
     def sides(self, claim: str) -> tuple[Node, ...]:
         """Sides of a printed equation that its derivation is held against.

@@ -7,14 +7,16 @@ from dataclasses import replace
 
 from sympy import Expr, MatrixBase
 
+from omniproof.audit.angle_family import instance
 from omniproof.audit.answer import Answer, Proved, Refuted, Undecided
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
 from omniproof.audit.decimals import Rounding
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
-from omniproof.audit.relations import equivalent, instance, judge, merge
+from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
+from omniproof.audit.sign_cases import equivalent
 from omniproof.registry import Obligation, Ordered, Relation, Subject
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind
@@ -114,9 +116,11 @@ def _judge_form(claim: Claim, relation: Relation, context: Context) -> Answer:
     assert claim.asserts is not None
     form = claim.asserts.form
     if form is Form.EQUIVALENT:
-        return equivalent(context.evaluate(claim.id), relation.subject)
+        assumed = context.assumed(claim.id)
+        return equivalent(context.evaluate(claim.id), relation.subject, assumed)
     if form is Form.INSTANCE:
-        return instance(tuple(context.evaluate(claim.id)), relation.subject)
+        angles, assumed = tuple(context.evaluate(claim.id)), context.assumed(claim.id)
+        return instance(angles, relation.subject, context.domain(claim.id), assumed)
     at = tuple(_point(node, context) for node in context.loaded.points.get(claim.id, ()))
     subject = _printed_order(claim, relation.subject, context)
     if isinstance(subject, Undecided):

@@ -6,15 +6,10 @@ for branch and bound.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import product
-from typing import Any
 
-from sympy import Expr, Integer, Symbol, latex, pi
-from sympy.core.relational import Relational
-from sympy.logic.boolalg import Boolean
+from sympy import Expr, Integer, latex
 
 from omniproof.audit import ordering
 from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted, Undecided, Witness
@@ -161,63 +156,3 @@ def _same_sign(values: tuple[Expr, ...], wanted: int) -> Answer:
         return Proved(("flint",))
     sign = "positive" if wanted > 0 else "negative"
     return Refuted(("flint",), Witness({}, sign, ordering.digits(wrong[0])))
-
-
-def equivalent(printed: Boolean, derived: Boolean) -> Answer:
-    """Decide whether two conditions on the signs of monomials hold in the same cases.
-
-    The sign of a monomial depends on the signs of its symbols only, so that -1, 0 and 1 for each
-    symbol (no 0 where the symbol is nonzero) are all the cases there are.
-    """
-    relations = printed.atoms(Relational) | derived.atoms(Relational)
-    if not all(_on_a_monomial(relation) for relation in relations):
-        return Undecided("a condition is not on the sign of a monomial")
-    symbols = sorted(printed.free_symbols | derived.free_symbols, key=str)
-    for case in product(*(_cases(symbol) for symbol in symbols)):
-        point = dict(zip(symbols, case, strict=True))
-        sides = bool(printed.subs(point)), bool(derived.subs(point))
-        if sides[0] != sides[1]:
-            shown = {str(symbol): str(value) for symbol, value in point.items()}
-            return Refuted(("signs",), Witness(shown, *(str(side).lower() for side in sides)))
-    return Proved(("signs",))
-
-
-def _cases(symbol: Symbol) -> tuple[int, ...]:
-    if symbol.is_positive:
-        return (1,)
-    return (-1, 1) if symbol.is_nonzero else (-1, 0, 1)
-
-
-def _on_a_monomial(relation: Relational) -> bool:
-    if relation.rhs != 0:
-        return False
-    factors = relation.lhs.as_ordered_factors()
-    return all(f.is_number or f.as_base_exp()[0].is_Symbol for f in factors)
-
-
-def instance(printed: Sequence[Expr], family: Sequence[Expr]) -> Answer:
-    """Decide whether the printed angles are a member of a one-parameter family of angles.
-
-    Order and full turns do not matter. Each member of the family is a rational-linear form in the
-    parameter; an entry that is matched with a parametric one fixes the parameter.
-    """
-    (parameter,) = set().union(*(member.free_symbols for member in family))
-    slope = [(k, m.coeff(parameter)) for k, m in enumerate(family) if m.has(parameter)]
-    k, factor = slope[0]
-    best = 0
-    for value in printed:
-        chosen = (value - family[k].subs(parameter, 0)) / factor
-        member = Counter(_reduced(m.subs(parameter, chosen)) for m in family)
-        best = max(best, (member & Counter(map(_reduced, printed))).total())
-    if best == len(printed) == len(family):
-        return Proved(("exact",))
-    shown = {f"angle_{i}": _degrees(entry) for i, entry in enumerate(printed, 1)}
-    return Refuted(("exact",), Witness(shown, f"{len(printed)} angles", f"{best} in one member"))
-
-
-def _reduced(angle: Expr) -> Expr:
-    return angle % (2 * pi)
-
-
-def _degrees(angle: Any) -> str:
-    return f"{angle * 180 / pi}°"
