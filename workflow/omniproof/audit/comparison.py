@@ -37,17 +37,19 @@ from omniproof.audit.balls import (
     rational_ball,
     sign_of,
 )
+from omniproof.audit.confirm_order import confirmed_order
 from omniproof.audit.exact import sign, subtract, vanishes
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, sign_on
+from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
 
 ENGINE = ("flint",)
 WANTED = {"<": -1, "\\leq": -1, ">": 1, "\\geq": 1}
 FAILS = {"<": ">=", "\\leq": ">", ">": "<=", "\\geq": "<", "\\neq": "=="}
-STEPS = 1_000_000
-"""More than a confirmation is given: here z3 is the only one left, and takes a second at most."""
+STEPS = 300_000
+"""More than a confirmation is given: here z3 is the only one left."""
 MOST_CANDIDATES = 30
 ADVICE = "no proof was found without a bounded range for each symbol"
 PROBES = 60
@@ -59,9 +61,9 @@ def compare(left: sp.Expr, operator: str, right: sp.Expr, domain: Domain = REALS
     r"""Decide whether `left operator right` holds at every point where both sides are defined.
 
     With one variable on a bounded range, what holds in parts is `OnBranch` with the exact set.
-    Never raises for formulas: what is not decided is `Undecided`.
+    What is not decided is `Undecided`. Raises `DisagreementError` when z3 contradicts the balls.
     """
-    return guarded(lambda: _Comparison(left, operator, right, domain).answer())
+    return guarded(lambda: _Comparison(left, operator, right, domain).confirmed())
 
 
 class _Comparison:
@@ -73,6 +75,19 @@ class _Comparison:
         whole = (-sp.oo, sp.oo)
         self.box = {s: domain.intervals.get(s.name, whole) for s in self.symbols}
         self.bounded = all(sp.oo not in (-a, b) for a, b in self.box.values())
+
+    def confirmed(self) -> Answer:
+        return confirmed_order(self.answer(), [self.failure], self.region)
+
+    @property
+    def failure(self) -> tuple[sp.Expr, str]:
+        """What the difference is at a counterexample."""
+        return self.difference, FAILS[self.operator]
+
+    @property
+    def region(self) -> Region:
+        """Where z3 looks for one."""
+        return Region(self.box, conditions=tuple(self.domain.conditions))
 
     def answer(self) -> Answer:
         if not self.symbols:
@@ -169,10 +184,7 @@ class _Comparison:
 
     def by_algebra(self) -> Answer | None:
         """Ask z3 for a counterexample; a point counts only where it is confirmed exactly."""
-        from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
-
-        region = Region(self.box, conditions=tuple(self.domain.conditions))
-        found = find_point([(self.difference, FAILS[self.operator])], region, steps=STEPS)
+        found = find_point([self.failure], self.region, steps=STEPS)
         if isinstance(found, Nowhere):
             return Proved(("z3",))
         if isinstance(found, Somewhere):

@@ -6,8 +6,10 @@ for branch and bound.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
+from typing import Any
 
 from sympy import Expr, Integer, latex
 
@@ -23,6 +25,11 @@ ENGINES = {"flint": 0, "modular": 1, "z3": 2}
 """The order in which a row names the engines; others come after these."""
 
 _SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}
+_WRONG = {Form.POSITIVE: "<=", Form.NEGATIVE: ">=", Form.INCREASING: "<=", Form.DECREASING: ">="}
+"""What a value, or a difference of neighbours, is where the form does not hold."""
+_EXTREMA = {Form.MINIMUM: "<=", Form.MAXIMUM: ">="}
+_EXTREME = {Form.LARGEST: "<=", Form.SMALLEST: ">="}
+"""What the difference from the best value is where something else is as good."""
 
 
 def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
@@ -35,15 +42,19 @@ def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     form, subject = obligation.form, obligation.subject
     if isinstance(subject, Sequence) and form is Form.EQUAL:
         return all_equal(tuple(subject), domain)
-    if domain == REALS:
-        return _judge(obligation)
     try:
-        if isinstance(subject, Curve | Family | Ordered):
-            obligation = replace(
-                obligation, subject=replace(subject, box=within(subject.box, domain))
-            )
+        if isinstance(subject, Curve | Family | Ordered) and domain != REALS:
+            box = within(subject.box, domain)
+            obligation = replace(obligation, subject=replace(subject, box=box))
     except UnsupportedError as reason:
         return Undecided(str(reason))
+    answer = _judge_under(obligation, domain)
+    return answer if isinstance(answer, Undecided) else _confirmed(answer, obligation, domain)
+
+
+def _judge_under(obligation: Obligation, domain: Domain) -> Answer:
+    """Judge on a box; what is false there may follow from a condition between symbols."""
+    form, subject = obligation.form, obligation.subject
     answer = _judge(obligation, domain)
     boxed = isinstance(subject, Family | Ordered) and domain.conditions
     if isinstance(answer, Proved | Undecided) or not boxed:
@@ -54,6 +65,51 @@ def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
             return Proved(("flint",))
     told = ", ".join(f"${latex(condition)}$" for condition in domain.conditions)
     return Undecided(f"it is not proved from {told}, and false without")
+
+
+def _confirmed(answer: Answer, obligation: Obligation, domain: Domain) -> Answer:
+    """Ask z3 for the point that would refute an order."""
+    failures = tuple(_failures(obligation))
+    if not failures:
+        return answer
+    from omniproof.audit.confirm_order import confirmed_order
+    from omniproof.audit.smt_order import Region
+
+    ranges = getattr(obligation.subject, "box", {})
+    unique = obligation.form in _EXTREMA
+    region = Region(ranges, {}, domain.conditions, obligation.at if unique else ())
+    return confirmed_order(answer, failures, region)
+
+
+def _failures(obligation: Obligation) -> Iterator[tuple[Any, str]]:
+    """Yield signs of formulas of which each alone, at one point, refutes a statement on order."""
+    form, subject = obligation.form, obligation.subject
+    match subject:
+        case Family(expression=value):
+            yield from _failures_of_family(form, value, obligation)
+        case Ordered(terms=terms):
+            yield from ((right - left, "<=") for left, right in pairwise(terms))
+        case Mapping() if form in _EXTREME:
+            best = subject[str(obligation.member)]
+            others = (value for name, value in subject.items() if name != obligation.member)
+            yield from ((best - other, _EXTREME[form]) for other in others)
+        case Sequence() if form in _SIGNS:
+            yield from ((value, _WRONG[form]) for value in subject)
+        case Sequence() if form in _WRONG:
+            yield from ((right - left, _WRONG[form]) for left, right in pairwise(subject))
+
+
+def _failures_of_family(
+    form: Form, value: Any, obligation: Obligation
+) -> Iterator[tuple[Any, str]]:
+    symbols = tuple(obligation.subject.box)
+    if form in _EXTREMA:
+        best = value.subs(dict(zip(symbols, obligation.at[0], strict=True)))
+        yield value - best, _EXTREMA[form]
+    elif form is Form.CONCAVE:
+        yield value.diff(symbols[0], 2), ">"
+    elif form in _SIGNS:
+        yield value, _WRONG[form]
 
 
 def _judge(obligation: Obligation, domain: Domain = REALS) -> Answer:

@@ -23,6 +23,9 @@ MOST_ZEROS = 4
 FINEST_TURN = 24
 """Zeros inside of a box of several variables are looked for among multiples of pi/24 and below."""
 
+Zero: TypeAlias = dict[sp.Symbol, Any]
+"""Exact values of those symbols that a factor has."""
+
 
 def sign_on(family: Family, wanted: int, *, zero: bool = False) -> Answer:
     """Decide whether a function is positive (1) or negative (-1) wherever it is defined.
@@ -66,7 +69,8 @@ def _sign_of(function: Quotient, wanted: int, zero: bool) -> Answer:
     if wrong is not None:
         witness = Witness(function.name(wrong), CLAIM[wanted], function.digits(wrong))
         return Refuted(ENGINE, witness)
-    total, zeros = 1, []
+    total = 1
+    zeros: list[Zero] = []
     for factor in sp.Mul.make_args(function.numerator):
         sign_, own = _sign_of_factor(factor, function.box, zero)
         total, zeros = total * sign_, zeros + own
@@ -77,10 +81,6 @@ def _sign_of(function: Quotient, wanted: int, zero: bool) -> Answer:
     zeros = [own for own in zeros if len(own) < len(function.box.symbols)
              or not function.is_pole(tuple(own.values()))]  # fmt: skip
     return Proved(ENGINE) if zero or not zeros else _but_at(zeros, function, wanted)
-
-
-Zero: TypeAlias = dict[sp.Symbol, Any]
-"""Exact values of those symbols that a factor has."""
 
 
 def _sign_of_factor(factor: sp.Expr, box: Box, zero: bool) -> tuple[int, list[Zero]]:

@@ -19,6 +19,8 @@ from typing import Any, NamedTuple
 import sympy as sp
 
 STEPS = 100_000
+LAST_RESORT_MS = 10_000
+"""Steps do not count the arithmetic of large polynomials, so a clock stands behind them."""
 MOST_OPERATIONS, MOST_VARIABLES, LARGEST_MULTIPLE, LARGEST_POWER = 80, 9, 6, 8
 CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
@@ -121,6 +123,7 @@ class Translation:
         """Return z3's verdict on all conditions together, and its model if there is one."""
         solver = self.z3.Tactic("qfnra-nlsat", ctx=self.context).solver()
         solver.set("rlimit", steps)
+        solver.set("timeout", LAST_RESORT_MS)
         solver.add(*self.conditions, *conditions)
         verdict = solver.check()
         return verdict, solver.model() if verdict == self.z3.sat else None

@@ -88,6 +88,7 @@ class _Search(Translation):
         self.region = region
         self.exact = True
         self.roots: dict[tuple[sp.Expr, int], Fraction] = {}
+        self.sizes: dict[sp.Expr, Fraction] = {}
         self.wanted = [self._relation(formula, symbol) for formula, symbol in signs]
         self._add_ranges()
         self._add_conditions()
@@ -104,7 +105,7 @@ class _Search(Translation):
 
     def fraction(self, node: sp.Expr) -> Fraction:
         if isinstance(node, sp.Abs):
-            return self._principal_root(node.args[0] ** 2, 2)
+            return self._absolute(node)
         return super().fraction(node)
 
     def _power(self, node: sp.Expr) -> Fraction:
@@ -116,6 +117,16 @@ class _Search(Translation):
             raise OutsideError(f"{node} is not a small root")
         root = self._principal_root(node.base, int(exponent.q))
         return self._integer_power(root, int(exponent.p))
+
+    def _absolute(self, node: sp.Abs) -> Fraction:
+        """Translate |x| as one of x and -x; as a root of x^2 it would double all degrees."""
+        if node not in self.sizes:
+            above, below = self.fraction(node.args[0])
+            size = self._variable(f"size {len(self.sizes)}")
+            either = self.z3.Or(size * below == above, size * below == -above)
+            self.conditions += [size >= 0, below != 0, either]
+            self.sizes[node] = Fraction(size, self.one)
+        return self.sizes[node]
 
     def _principal_root(self, radicand: sp.Expr, index: int) -> Fraction:
         key = (radicand, index)
