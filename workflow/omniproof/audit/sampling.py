@@ -26,6 +26,7 @@ from omniproof.audit.balls import (
 MOST_TRIES = 60  # points tried for one at which all conditions hold
 REACH = 6  # length of the interval in which an unbounded symbol is sampled, unless told
 DENOMINATORS = range(3, 14)
+REAL_LINE = (-sp.oo, sp.oo)
 
 Sample = dict[sp.Symbol, fmpq]
 
@@ -62,8 +63,13 @@ def _ranges(
     symbols: Iterable[sp.Symbol], domain: Domain, reach: int = REACH
 ) -> dict[sp.Symbol, _Range]:
     """Return where symbols are sampled, in the order of their names."""
-    ordered = sorted(symbols, key=by_name)
-    return {symbol: _range(*bounds(symbol, domain, reach)) for symbol in ordered}
+    ranges = {}
+    for symbol in sorted(symbols, key=by_name):
+        known = symbol.assumptions0  # quicker than to ask for what is not known
+        signs = known.get("nonnegative", False), known.get("nonpositive", False)
+        ends = domain.intervals.get(symbol.name, REAL_LINE)
+        ranges[symbol] = _range(*map(exact_number, ends), *signs, reach)
+    return ranges
 
 
 def by_name(symbol: sp.Symbol) -> str:
@@ -81,19 +87,6 @@ def _is_allowed(point: Sample, domain: Domain, generator: random.Random) -> bool
         if known is None or not condition.func(known, 0):
             return False
     return True
-
-
-def bounds(symbol: sp.Symbol, domain: Domain = REALS, reach: int = REACH) -> tuple[Any, Any]:
-    """Return the finite interval in which a symbol is sampled, from its sign and the domain."""
-    lower, upper = map(exact_number, domain.intervals.get(symbol.name, (-sp.oo, sp.oo)))
-    if symbol.is_nonnegative:
-        lower = sp.Max(lower, 0)
-    if symbol.is_nonpositive:
-        upper = sp.Min(upper, 0)
-    if lower == -sp.oo:
-        lower = sp.Integer(-reach) / 2 if upper == sp.oo else upper - reach
-        upper = sp.Integer(reach) / 2 if upper == sp.oo else upper
-    return lower, lower + reach if upper == sp.oo else upper
 
 
 class _Range:
@@ -119,4 +112,14 @@ class _Range:
         raise UnsupportedError(f"no short rational was found in ({self.lower}, {self.upper})")
 
 
-_range = lru_cache(maxsize=256)(_Range)
+@lru_cache(maxsize=256)
+def _range(lower: Any, upper: Any, nonnegative: bool, nonpositive: bool, reach: int) -> _Range:
+    """Return the finite interval in which a symbol is sampled, from its sign and the domain."""
+    if nonnegative:
+        lower = sp.Max(lower, 0)
+    if nonpositive:
+        upper = sp.Min(upper, 0)
+    if lower == -sp.oo:
+        lower = sp.Integer(-reach) / 2 if upper == sp.oo else upper - reach
+        upper = sp.Integer(reach) / 2 if upper == sp.oo else upper
+    return _Range(lower, lower + reach if upper == sp.oo else upper)
