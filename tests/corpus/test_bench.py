@@ -3,14 +3,17 @@
 import csv
 import json
 from dataclasses import replace
+from mmap import PAGESIZE
 from pathlib import Path
+from resource import RUSAGE_SELF, getrusage
 
 import bench
 import pytest
+import rivals
 from bench import Row, compare, only_ours
 from elimination import direct, staged
 from questions import Question
-from rivals import SYSTEMS, Timed, timed
+from rivals import CAN_OWN, EASY, SYSTEMS, Timed, timed
 
 from omniproof.audit.answer import Domain, Proved, Refuted
 from omniproof.audit.zero_test import decide_equal
@@ -86,6 +89,27 @@ def test_a_system_without_an_answer(
     monkeypatch.setitem(SYSTEMS, "strange", system)
     question = Question(((0, 0),), "=", Domain(), ())
     assert timed("strange", question, time_out=0.5).said == said
+
+
+BLOCK = bytearray(16 * 2**20)
+
+
+def copies(question: Question) -> str:
+    """Count the copies that it takes to write to the parent's memory, once the clock runs."""
+    before = getrusage(RUSAGE_SELF).ru_minflt
+    if question is not EASY:
+        BLOCK[::PAGESIZE] = bytes(len(BLOCK) // PAGESIZE)
+    return str(getrusage(RUSAGE_SELF).ru_minflt - before)
+
+
+@pytest.mark.skipif(not CAN_OWN, reason="the system copies memory only when it is written to")
+def test_memory_is_copied_before_the_clock_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    BLOCK[:] = bytes(len(BLOCK))
+    monkeypatch.setitem(SYSTEMS, "copies", copies)
+    question = Question(((0, 0),), "=", Domain(), ())
+    owned = int(timed("copies", question).said)
+    monkeypatch.setattr(rivals, "own_memory", lambda: None)
+    assert owned < int(timed("copies", question).said) / 2
 
 
 def test_the_elimination_is_proved_in_stages() -> None:
