@@ -177,16 +177,17 @@ def combine(cells: Sequence[Cell], unknowns: Sequence[sp.Symbol]) -> Combined | 
     None when these are not independent (V and V^2), or when an unknown enters otherwise. If there
     are fewer combinations than unknowns, the cells tell the combinations and nothing more.
     """
-    forms = [_monomials(cell.value, unknowns) for cell in cells]
-    if any(form is None for form in forms):
-        return None
-    keys = list(dict.fromkeys(key for form in forms for key in form or () if any(key)))
-    if not keys or sp.Matrix(keys).rank() < len(keys):
+    found = [_monomials(cell.value, unknowns) for cell in cells]
+    forms = [form for form in found if form is not None]
+    keys = list(dict.fromkeys(key for form in forms for key in form if any(key)))
+    if len(forms) < len(cells) or not keys or sp.Matrix(keys).rank() < len(keys):
         return None
     symbols = {key: sp.Symbol(f"k_{place}", real=True) for place, key in enumerate(keys, 1)}
-    meaning = {symbols[key]: sp.Mul(*map(sp.Pow, unknowns, key)) for key in keys}
-    values = (sp.Add(*(c * symbols.get(key, 1) for key, c in (f or {}).items())) for f in forms)
-    linear = (replace(cell, value=value) for cell, value in zip(cells, values, strict=True))
+    meaning = {symbol: sp.Mul(*map(sp.Pow, unknowns, key)) for key, symbol in symbols.items()}
+    linear = [
+        replace(cell, value=sp.Add(*(c * symbols.get(key, 1) for key, c in form.items())))
+        for cell, form in zip(cells, forms, strict=True)
+    ]
     return Combined(meaning, tuple(linear))
 
 
