@@ -101,6 +101,29 @@ def test_a_witness_lies_in_the_range():
     assert sin(place) < 0
 
 
+def closed(lower, upper):
+    ends = (True, upper != sp.oo)
+    return Domain({"x": (sp.sympify(lower), sp.sympify(upper))}, closed={"x": ends})
+
+
+@pytest.mark.parametrize(
+    ("left", "sign", "right", "domain", "answer"),
+    [
+        pytest.param(x**2, "\\geq", sp.S.Zero, closed(0, sp.oo), Proved, id="half line"),
+        pytest.param(x**2, ">", sp.S.Zero, between(0, sp.oo), Proved, id="open half line"),
+        pytest.param(x**2, ">", sp.S.Zero, closed(0, sp.oo), Refuted, id="false at its end"),
+        pytest.param(sin(x), "\\geq", sp.S.Zero, closed(0, pi), Proved, id="not strict"),
+        pytest.param(sin(x), ">", sp.S.Zero, between(0, pi), Proved, id="strict on an open one"),
+        pytest.param(sin(x), ">", sp.S.Zero, closed(0, pi), OnBranch, id="strict on a closed one"),
+        pytest.param(cos(x), "\\neq", sp.S.Zero, between(0, pi / 2), Proved, id="no zero inside"),
+        pytest.param(cos(x), "\\neq", sp.S.Zero, closed(0, pi / 2), OnBranch, id="zero at an end"),
+        pytest.param(1 / x, ">", sp.S.Zero, closed(0, 1), Proved, id="undefined at an end"),
+    ],
+)
+def test_closed_ends_belong_to_a_range(left, sign, right, domain, answer):
+    assert isinstance(compare(left, sign, right, domain), answer)
+
+
 @pytest.mark.parametrize(
     ("left", "sign", "right", "domain", "condition"),
     [

@@ -35,6 +35,7 @@ TORUS = {A: (Integer(0), 2 * pi), B: (Integer(0), 2 * pi)}
 SINES = sin(A) + sin(B) - sin(A + B)
 THIRD = (2 * pi / 3, 2 * pi / 3)
 ROOTS = {"two": sqrt(2), "three": sqrt(3)}
+CORNER = {x: (Integer(0), Integer(1)), y: (Integer(0), Integer(1))}
 SQUARE = {x: (Integer(-1), Integer(2)), y: (Integer(-1), Integer(2))}
 
 
@@ -51,6 +52,8 @@ CLAIMS = [
     claim("negative", Family(cos(t) - 2, TURN), BOTH, Proved, "bounded away"),
     claim("positive", Family(sp.exp(t), TURN), "flint", Proved, "not algebraic"),
     claim("positive", Family(t - sin(t), TURN), "flint", Proved, "angle and number"),
+    claim("positive", Family(x + y, CORNER), "z3", Proved, "a slope at a corner: z3 alone"),
+    claim("chain", Ordered((-x, y), CORNER), "z3", Proved, "a slope at a corner: z3 alone"),
     claim("concave", Family(sin(t), HALF), BOTH, Proved, "half a turn"),
     claim("concave", Family(t**3, {t: (Integer(-1), Integer(1))}), BOTH, OnBranch, "a cube"),
     claim("maximum", Family(SINES, TORUS), BOTH, Proved, "three wheels", at=(THIRD,)),

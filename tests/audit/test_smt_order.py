@@ -106,6 +106,8 @@ def test_a_question_that_was_widened_finds_candidates_only(
                      "it has more than 9 variables", id="variables"),
         pytest.param(sin(x), Region({x: (sp.S.Zero, 3 * pi)}, apart=((pi,),)),
                      "x takes more than one turn", id="one point of two turns"),
+        pytest.param(sin(x), Region({x: (sp.S.Zero, 2 * pi)}, {x: (True, True)}, apart=((0,),)),
+                     "x takes more than one turn", id="both ends of a turn"),
         pytest.param(sin(x), Region({x: (sp.S.Zero, pi), y: (sp.S.Zero, pi)}, apart=((pi, 1),)),
                      "it is constant in a symbol, so that no point stands alone", id="constant"),
     ],

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from itertools import islice, product
+from itertools import compress, islice, product
 from math import lcm
 from typing import Any, TypeAlias
 
@@ -42,7 +42,7 @@ from omniproof.audit.exact import sign, subtract, vanishes
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
-from omniproof.audit.signs import guarded, sign_on
+from omniproof.audit.signs import guarded, not_on_faces, sign_on
 from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
 
 ENGINE = ("flint",)
@@ -74,6 +74,7 @@ class _Comparison:
         self.symbols = sorted(self.difference.free_symbols, key=str)
         whole = (-sp.oo, sp.oo)
         self.box = {s: domain.intervals.get(s.name, whole) for s in self.symbols}
+        self.closed = {s: domain.closed.get(s.name, (False, False)) for s in self.symbols}
         self.bounded = all(sp.oo not in (-a, b) for a, b in self.box.values())
 
     def confirmed(self) -> Answer:
@@ -87,7 +88,7 @@ class _Comparison:
     @property
     def region(self) -> Region:
         """Where z3 looks for one."""
-        return Region(self.box, conditions=tuple(self.domain.conditions))
+        return Region(self.box, self.closed, tuple(self.domain.conditions))
 
     def answer(self) -> Answer:
         if not self.symbols:
@@ -98,13 +99,18 @@ class _Comparison:
 
     def bounded_order(self) -> Answer:
         family = OnBox(self.difference, self.box)
-        answer = sign_on(family, WANTED[self.operator], zero=self.may_vanish)
+        wanted = WANTED[self.operator]
+        answer = sign_on(family, wanted, zero=self.may_vanish, closed=self.closed)
         if not isinstance(answer, Undecided):
             return self.with_sides(answer)
         return self.refuted() or self.by_algebra() or answer
 
     def unbounded_order(self) -> Answer:
         answer = self.refuted() or (Proved(ENGINE) if self.is_evident() else self.on_the_line())
+        if isinstance(answer, Proved):
+            family = OnBox(self.difference, self.box)
+            faces = not_on_faces(family, WANTED[self.operator], self.may_vanish, self.closed)
+            answer = answer if faces is None else self.with_sides(faces)
         return self.by_algebra() or answer if isinstance(answer, Undecided) else answer
 
     def refuted(self) -> Refuted | None:
@@ -145,6 +151,8 @@ class _Comparison:
 
     def is_inside(self, symbol: sp.Symbol, value: Any) -> bool:
         lower, upper = self.box[symbol]
+        if value in compress((lower, upper), self.closed[symbol]):
+            return True
         return bool(lower < value) and bool(value < upper)
 
     def witness(self, point: Point) -> Witness:
@@ -222,7 +230,8 @@ class _Comparison:
         """Decide `a != b`: one sign throughout, or the zeros in closed form."""
         if not self.bounded:
             return self.by_algebra() or Undecided(ADVICE, ENGINE)
-        answers = [sign_on(OnBox(self.difference, self.box), wanted) for wanted in (1, -1)]
+        family = OnBox(self.difference, self.box)
+        answers = [sign_on(family, wanted, closed=self.closed) for wanted in (1, -1)]
         if any(isinstance(answer, Proved) for answer in answers):
             return Proved(ENGINE)
         (symbol, *others) = self.symbols
@@ -245,7 +254,7 @@ class _Comparison:
             for relation in part.relations
             for inequality in relation.atoms(Relational)
             for end in inequality.args
-            if not end.free_symbols and end not in self.box[symbol]
+            if not end.free_symbols and (end not in self.box[symbol] or self.is_inside(symbol, end))
         }
         return {end for end in ends if self.vanishes_at(symbol, end)}
 

@@ -38,6 +38,11 @@ def confirmed_order(answer: Answer, failures: Sequence[Sign], region: Region) ->
     return replace(answer, engines=(*answer.engines, "z3")) if vote else answer
 
 
+def decided_by_algebra(failures: Sequence[Sign], region: Region) -> Proved | None:
+    """Prove by z3 alone what balls leave open: there is no point with any of the failures."""
+    return Proved(("z3",)) if _fails_in(failures, [region]) is False else None
+
+
 def _vote(answer: Proved | Refuted | OnBranch, failures: Sequence[Sign], region: Region) -> Vote:
     found = _fails_in(failures, [region])
     if found is None:

@@ -17,13 +17,15 @@ from omniproof.audit import ordering
 from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.hypotheses import sign_under, with_box, within
+from omniproof.audit.hypotheses import closed_ends, sign_under, with_box, within
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
 ENGINES = {"flint": 0, "modular": 1, "z3": 2}
 """The order in which a row names the engines; others come after these."""
 
+Closed = Mapping[Any, tuple[bool, bool]]
+"""Whether lower and upper end belong to the range of a symbol."""
 _SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}
 _WRONG = {Form.POSITIVE: "<=", Form.NEGATIVE: ">=", Form.INCREASING: "<=", Form.DECREASING: ">="}
 """What a value, or a difference of neighbours, is where the form does not hold."""
@@ -49,7 +51,7 @@ def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     except UnsupportedError as reason:
         return Undecided(str(reason))
     answer = _judge_under(obligation, domain)
-    return answer if isinstance(answer, Undecided) else _confirmed(answer, obligation, domain)
+    return _confirmed(answer, obligation, domain)
 
 
 def _judge_under(obligation: Obligation, domain: Domain) -> Answer:
@@ -59,7 +61,7 @@ def _judge_under(obligation: Obligation, domain: Domain) -> Answer:
     boxed = isinstance(subject, Family | Ordered) and domain.conditions
     if isinstance(answer, Proved | Undecided) or not boxed:
         return answer
-    if isinstance(subject, Family) and form in _SIGNS:
+    if isinstance(subject, Family) and form in _SIGNS and not closed_ends(subject.box, domain):
         sign = sign_under(subject.expression, with_box(domain, subject.box))
         if sign == _SIGNS[form]:
             return Proved(("flint",))
@@ -68,16 +70,22 @@ def _judge_under(obligation: Obligation, domain: Domain) -> Answer:
 
 
 def _confirmed(answer: Answer, obligation: Obligation, domain: Domain) -> Answer:
-    """Ask z3 for the point that would refute an order."""
+    """Ask z3 for the point that would refute an order; what is open it may prove alone."""
+    is_open = isinstance(answer, Undecided)
+    on_box = isinstance(obligation.subject, Family | Ordered)
+    if is_open and not (on_box and obligation.form in {*_SIGNS, Form.CHAIN}):
+        return answer
     failures = tuple(_failures(obligation))
     if not failures:
         return answer
-    from omniproof.audit.confirm_order import confirmed_order
+    from omniproof.audit.confirm_order import confirmed_order, decided_by_algebra
     from omniproof.audit.smt_order import Region
 
     ranges = getattr(obligation.subject, "box", {})
-    unique = obligation.form in _EXTREMA
-    region = Region(ranges, {}, domain.conditions, obligation.at if unique else ())
+    unique = obligation.at if obligation.form in _EXTREMA else ()
+    region = Region(ranges, closed_ends(ranges, domain), domain.conditions, unique)
+    if is_open:
+        return decided_by_algebra(failures, region) or answer
     return confirmed_order(answer, failures, region)
 
 
@@ -115,11 +123,11 @@ def _failures_of_family(
 def _judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     form, subject = obligation.form, obligation.subject
     if isinstance(subject, Family):
-        return _judge_family(form, subject, obligation.at)
+        return _judge_family(obligation, subject, closed_ends(subject.box, domain))
     if isinstance(subject, Curve):
         return _judge_curve(form, subject, domain)
     if isinstance(subject, Ordered) and form is Form.CHAIN:
-        return _chain(subject)
+        return _chain(subject, closed_ends(subject.box, domain))
     if isinstance(subject, Mapping):
         return _judge_member(form, subject, str(obligation.member))
     if isinstance(subject, Sequence):
@@ -146,14 +154,15 @@ def merge(*groups: Sequence[str]) -> tuple[str, ...]:
     return tuple(sorted(found, key=lambda name: ENGINES.get(name, len(ENGINES))))
 
 
-def _judge_family(form: Form, family: Family, at: tuple[tuple[Expr, ...], ...]) -> Answer:
+def _judge_family(obligation: Obligation, family: Family, closed: Closed) -> Answer:
     from omniproof.audit import extrema
 
+    form = obligation.form
     match form:
         case Form.MINIMUM | Form.MAXIMUM:
-            return extrema.prove_extremum(family, at, form)
+            return extrema.prove_extremum(family, obligation.at, form, closed)
         case Form.POSITIVE | Form.NEGATIVE:
-            return extrema.sign_on(family, _SIGNS[form])
+            return extrema.sign_on(family, _SIGNS[form], closed=closed)
         case Form.CONCAVE:
             return extrema.concave(family)
     return Undecided(f"the form {form} is not judged on a family")
@@ -172,10 +181,10 @@ def _judge_curve(form: Form, curve: Curve, domain: Domain) -> Answer:
     return judges[form](curve, domain)
 
 
-def _chain(chain: Ordered) -> Answer:
+def _chain(chain: Ordered, closed: Closed) -> Answer:
     from omniproof.audit.chains import holds
 
-    return holds(chain)
+    return holds(chain, closed)
 
 
 def _judge_member(form: Form, values: Mapping[str, Expr], member: str) -> Answer:

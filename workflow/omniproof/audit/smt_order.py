@@ -242,7 +242,9 @@ class _Search(Translation):
                 differs.append(self.numbers[symbol] != self._value(value))
             if symbol in self.circles:
                 turn = 2 * sp.pi * self.denominators[symbol]
-                if sign(subtract(subtract(upper, lower), turn)) > 0:
+                ends = self.region.closed.get(symbol, (False, False))
+                beyond = sign(subtract(subtract(upper, lower), turn))
+                if beyond > 0 or (beyond == 0 and all(ends)):
                     raise OutsideError(f"{symbol} takes more than one turn")
                 direction = self._direction(value / self.denominators[symbol])
                 differs.append(self._differs(self.circles[symbol], direction))
