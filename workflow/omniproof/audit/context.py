@@ -68,6 +68,7 @@ class Context:
 
     def meaning(self, printed: str) -> Any:
         """What a printed symbol stands for, by canonical name; quantities are derived once."""
+        # Every edit that the repair tries asks for these values again.
         if printed not in self.known:
             symbol = self.loaded.symbols[printed]
             self.known[printed] = (
@@ -123,6 +124,7 @@ class Context:
         Raises `LatexError` for what has no value, `UnsupportedError` for an empty domain.
         """
         ranges = {symbol.name: ends for symbol, ends in self._ranges()}
+        # An empty range would make every claim on it true.
         for name, (lower, upper) in ranges.items():
             if sign(subtract(upper, lower)) <= 0:
                 raise UnsupportedError(f"no value of {name} is left")

@@ -130,6 +130,7 @@ def compare_with(value: sp.Expr, bound: Fraction) -> int:
 def _rounded(value: sp.Expr, unit: Fraction) -> Fraction:
     """Round an exact number to a multiple of `unit`, ties away from zero."""
     middle = evaluate(value, precision=256).mid().fmpq()
+    # The midpoint of a ball proves nothing: its neighbours are asked as well.
     steps = round(Fraction(int(middle.p), int(middle.q)) / unit)
     for candidate in (steps - 1, steps, steps + 1):
         below = compare_with(value, (candidate - Fraction(1, 2)) * unit)
@@ -144,6 +145,7 @@ def _rounding(value: sp.Expr, decimal: Decimal) -> Rounding:
     side = compare_with(value, decimal.value)
     if side == 0:
         return Rounding.EXACT
+    # Away from the printed decimal: less than half a unit, exactly half, or more.
     beyond_half = side * compare_with(value, decimal.value + side * decimal.unit / 2)
     if beyond_half < 0:
         return Rounding.ROUNDED

@@ -53,6 +53,7 @@ def known_value(known: Any, point: dict[Symbol, Rational]) -> Value:
 
 
 def _digits(expression: Any, point: dict[Symbol, Rational]) -> Value:
+    # SymPy gives up at `maxn` digits and returns the expression: that is no real value here.
     number = expression.evalf(DIGITS, subs=point, maxn=400)
     if not number.is_Float and not number.is_Rational:
         raise UndefinedError(f"no real value of {expression}")
@@ -110,6 +111,7 @@ def _dot(left: Value, right: Value) -> Value:
 def _cross(left: Value, right: Value) -> Value:
     if not (_is_column(left) and _is_column(right)):
         return _times(left, right)
+    # Vectors of the plane lie in z = 0.
     a, b = ([*item, mp.mpf(0)][:3] for item in (left, right))
     turns = ((1, 2), (2, 0), (0, 1))
     return mp.matrix([a[i] * b[k] - a[k] * b[i] for i, k in turns])

@@ -87,6 +87,7 @@ def edits(
     found = list(_Editor(text, words, kin).edits())
     if node is not None:
         found += _Regrouped(text, node, words).edits()
+    # Of two edits to one text the likelier one stays: it comes last, and the last entry wins.
     results = {edit.text: edit for edit in sorted(set(found), reverse=True) if edit.text != text}
     return sorted(results.values())
 
@@ -154,6 +155,7 @@ class _Editor:
     def flip(self, place: int, token: Token) -> Iterator[Repair]:
         """Turn a sign between terms over; drop a leading one."""
         either = place > 0 and self.tokens[place - 1].text in EITHER
+        # After a bar that may open or close, a sign is tried as both.
         if either or _ends_operand(self.tokens, place):
             other = "-" if token.text == "+" else "+"
             yield self.edit(Edit.SIGN, token.span, other, f"{token.text} -> {other}")

@@ -97,6 +97,7 @@ def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
     if not (relation.condition or relation.correction):
         return _undecided(row, "false as it stands; its derivation does not say what holds instead")
     for obligation in relation.proof:
+        # The correction is ours: it is believed no more than what is printed, and proved as well.
         proof = judge(obligation)
         if not isinstance(proof, Proved):
             return _undecided(row, f"the {obligation.form} of its correction is not proved")
@@ -140,6 +141,7 @@ def _printed_order(claim: Claim, subject: Subject, context: Context) -> Subject:
         return Undecided("a chain is judged where it is printed with `<` alone, or with `>`")
     nodes = [links[0].left, *(link.right for link in links)]
     terms = tuple(context.evaluate(claim.id, node) for node in nodes)
+    # The engine proves ascending order, so that a descending chain is turned round.
     return replace(subject, terms=terms if signs == {"<"} else terms[::-1])
 
 
@@ -196,6 +198,7 @@ def _judge_reference(claim: Claim, context: Context) -> Row:
     found = _symbols_at(str(claim.target), context)
     wanted = symbol_name(claim.about) if claim.about else None
     row = start(claim, context).model_copy(update={"engines": "text"})
+    # Without a symbol to look for, a place that exists is all a program can tell.
     if wanted is None or wanted in found:
         row = row.model_copy(update={"verdict": Verdict.VERIFIED})
         return row if wanted else with_note(row, "there is such a place")

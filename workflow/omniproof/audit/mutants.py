@@ -121,6 +121,7 @@ class _Misprints:
             return
         for other in self.symbols:
             same_letter = own.parts[0] == other.parts[0] and own.parts[1] and other.parts[1]
+            # A variable for a quantity would be no misprint, but another formula.
             alike = own.free is other.free and (own.free or _are_kin(own, other))
             if other != own and alike:
                 yield self.put("index" if same_letter else "symbol", node.span, other.latex)

@@ -241,6 +241,7 @@ def fate(original: Original, mutant: Mutant, context: Context) -> Case:
         answer = None
     if answer is None:
         return Case(*case, Fate.REFUSED)
+    # A misprint that holds on a branch only is reported as conditional: it has not slipped through.
     flagged = isinstance(answer, Refuted | OnBranch)
     if judge.is_equal(mutant.text):
         equal = Fate.EQUIVALENT if isinstance(answer, Proved) else Fate.UNDECIDED
@@ -266,6 +267,7 @@ class _Judge:
         node = _read(text, self.context)
         pairs = [(self.at(node, seed), self.at(self.own, seed)) for seed in range(POINTS)]
         both = [(own, other) for own, other in pairs if own is not None and other is not None]
+        # Defined at no common point is no evidence of being equal.
         return bool(both) and all(are_equal(*pair) for pair in both)
 
     @cached_property
@@ -301,6 +303,7 @@ def _known_value(known: Any, seed: int) -> Value:
 def _coordinate(symbol: Symbol, seed: int) -> Rational:
     """A rational number that is all a symbol's own, the same whenever it is asked for."""
     generator = random.Random(f"{symbol.name} {seed}")  # noqa: S311
+    # Far from 0 and from each other, and no plain fraction at which a misprint may hold by chance.
     number = Rational(generator.randint(100, 2_900), 1_000 + generator.randint(1, 99))
     return number if symbol.is_positive or generator.random() < 0.5 else -number
 

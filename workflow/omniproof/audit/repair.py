@@ -69,6 +69,7 @@ def repair(
         else:
             found = list(_Search(printed, vocabulary, quick).single())
     except ShapeError:
+        # No floats for the printed text itself: every edit is put to the proof instead.
         found = edits(printed, vocabulary)
     except LatexError:
         return ()
@@ -138,6 +139,7 @@ class _Search:
             except (ShapeError, LatexError):
                 continue
             change = _Change(edit, path, node, values)
+            # Edits are stacked into one array later, so only values of one shape share a group.
             found[path, values.shape[-2:]].setdefault(node, change)
         return [list(group.values()) for group in found.values()]
 
@@ -201,6 +203,7 @@ class _Search:
     ) -> Iterator[tuple[_Change, _Change]]:
         """Try all edits of one place with all of another."""
         one, other = first[0].path, second[0].path
+        # Above the fork both edits are in one subtree: they go on together from there.
         fork = next(k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b)
         left = np.stack([change.values for change in first])[:, None]
         right = np.stack([change.values for change in second])[None, :]
@@ -216,6 +219,7 @@ class _Search:
     def joined(self, one: _Change, other: _Change) -> tuple[tree.Node, Repair] | None:
         """Make both edits, where they leave each other alone and may be right together."""
         first, second = sorted((one.edit, other.edit), key=lambda edit: edit.span)
+        # One edit would be made on text that the other has replaced.
         if first.span[1] > second.span[0]:
             return None
         begin, end = first.span[0], second.span[1]
@@ -243,6 +247,7 @@ def _difference(old: tree.Node, new: tree.Node) -> tuple[Path, tree.Node]:
     while _label(old) == _label(new) and not isinstance(old, tree.Applied):
         pairs = zip(tree.children(old), tree.children(new), strict=True)
         changed = [(k, one, other) for k, (one, other) in enumerate(pairs) if one != other]
+        # Several children differ: the whole node is what has changed.
         if len(changed) != 1:
             break
         place, old, new = changed[0]

@@ -102,6 +102,7 @@ def _interval(relations: Sequence[Relational]) -> OnBranch | None:
     expression = relations[0].lhs
     symbols = expression.free_symbols
     bare = expression.replace(lambda part: part.is_Function, lambda part: Integer(1))
+    # A symbol outside of a sine or cosine is no angle: a turn does not cover its values.
     if len(symbols) != 1 or bare.free_symbols:
         return None
     answer = sign_on(Family(expression, dict.fromkeys(symbols, (-pi, pi))), 1)

@@ -252,6 +252,7 @@ def _allowed(cell: Cell, unknown: sp.Symbol, domain: Piece) -> Allowed:
     shifted = scale(cell.interval, sp.S.One, -terms.get((0,), sp.S.Zero))
     if power == 1:
         return Allowed((cell.name,), _preimage(slope, shifted, domain))
+    # Even powers have two roots where the unknown may be negative.
     if order(domain.lower, sp.S.Zero) < 0:
         return Allowed((cell.name,), _enclosed(cell, unknown, domain), exact=False)
     positive = root(scale(shifted, 1 / slope), power)
@@ -272,6 +273,7 @@ def _enclosed(cell: Cell, unknown: sp.Symbol, domain: Piece) -> Pieces:
     found = solve_for(cell.value, unknown, (lower, upper), (domain.lower, domain.upper), DIGITS)
     if isinstance(found, Undecided):
         raise UnsupportedError(f"{cell.name}: {found.reason}")
+    # `solve_for` leaves cells of this size open: without room for them, emptiness is no proof.
     room = (domain.upper - domain.lower) * sp.Rational(MOST_CELLS * SMALLEST.p, SMALLEST.q)
     wide = (Piece(_widened(a, -1) - room, _widened(b, 1) + room, True, True) for a, b in found)
     return meet_all(tuple(wide), (domain,))
@@ -294,6 +296,7 @@ def _monomials(value: sp.Expr, unknowns: Sequence[sp.Symbol]) -> dict[Powers, sp
         powers = {
             base: power for base, power in product.as_powers_dict().items() if base not in (0, 1)
         }
+        # sin(V) or V^x: no sum of powers, and solved by enclosure instead.
         if not all(base in unknowns and power.is_Rational for base, power in powers.items()):
             return None
         key = tuple(powers.get(unknown, 0) for unknown in unknowns)
@@ -327,6 +330,7 @@ def _eliminate(strips: Sequence[_Strip], unknown: sp.Symbol) -> list[_Strip]:
     """Project the common part of strips along one unknown."""
     without = [strip for strip in strips if unknown not in strip.slopes]
     scaled = [_divided(strip, unknown) for strip in strips if unknown in strip.slopes]
+    # Fourier and Motzkin: what two strips say of the rest is left when the unknown cancels.
     return [*without, *(_difference(a, b) for a, b in combinations(scaled, 2))]
 
 
@@ -373,6 +377,7 @@ def _outermost(evidence: Sequence[Allowed]) -> tuple[str, ...]:
     least = min(evidence, key=cmp_to_key(_by_upper))
     above = replace(most.pieces[0], upper=sp.oo)
     below = replace(least.pieces[-1], lower=-sp.oo)
+    # Two cells that contradict each other tell a reader more than a list of all.
     if meet(above, below) is None:
         return tuple(dict.fromkeys((*most.names, *least.names)))
     return tuple(dict.fromkeys(name for line in evidence for name in line.names))

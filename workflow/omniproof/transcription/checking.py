@@ -95,6 +95,7 @@ class Check:
         listed = self.values.get(key, []) if isinstance(self.values, dict) else []
         if not isinstance(listed, list):
             return {}
+        # One bad entry must not hide the faults of all others.
         good = ((i, value) for i, value in enumerate(listed) if (key, i) not in bad)
         return {i: kind.model_validate(value) for i, value in good}
 
@@ -104,6 +105,7 @@ class Check:
         if any(fault.path == "key" for fault in self.faults) or not isinstance(key, str):
             return None
         symbols, claims = tuple(self.symbols.values()), tuple(self.claims.values())
+        # Without validation: what is left of the faults is known by now.
         return Paper.model_construct(
             key=key, notation=self.notation, symbols=symbols, claims=claims
         )
@@ -141,6 +143,7 @@ class Check:
             elif symbol.name in by_name:
                 message = f"expected each name once, found `{symbol.name}` again"
                 self.fault(("symbols", i, "name"), message, f"the first one is on line {line}")
+            # The first of two entries counts, so that formulas can be read and their faults told.
             self.symbols.setdefault(name, symbol)
             by_name.setdefault(symbol.name, i)
             if symbol.range:

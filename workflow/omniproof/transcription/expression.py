@@ -143,6 +143,7 @@ def _name(scope: _Scope, node: tree.Name | tree.Applied) -> Value:
 
 def _applied(scope: _Scope, node: tree.Applied) -> Value:
     """A quantity with its arguments in the place of the variables that it is a function of."""
+    # Arguments of what is no function would be dropped: different formulas would look alike.
     value, function = _name(scope, node), scope.meanings.get(node.name)
     if not isinstance(function, Function):
         cure = f"say of what `{node.name}` is a function: `of: ['\\theta']` beside its `role`"

@@ -122,6 +122,7 @@ class Reader(AtomReader):
     def separator(self) -> bool:
         """Step over what may stand between two statements."""
         start = self.place
+        # A full stop ends a display, or a row of it; nowhere else does it end a statement.
         if not self.consume(",", ";") and self.peek(1).kind in {"row", END.kind}:
             self.consume(".")
         self.consume_kind("row")
