@@ -204,9 +204,23 @@ def test_one_undefined_side_is_refuted_and_two_are_undecided():
     assert isinstance(decide_equal(x / 0, y / 0), Undecided)
 
 
-def test_cells_that_vanish_on_subtraction_are_looked_at():
-    assert isinstance(decide_equal(sp.sin(x), sp.sin(x)), Proved)
-    assert isinstance(decide_equal(sp.S.Zero, sp.S.Zero), Proved)
+@pytest.mark.parametrize(
+    ("side", "reason"),
+    [
+        pytest.param(sp.sin(x), None, id="a formula"),
+        pytest.param(sp.S.Zero, None, id="a number"),
+        pytest.param(sp.sqrt(x - 1) / abs(y), None, id="defined in a part"),
+        pytest.param(sp.exp(sp.atan2(y, x)), None, id="outside of the normal form"),
+        pytest.param(sp.sqrt(-1 - x**2), "no point of the domain", id="nowhere real"),
+        pytest.param(1 / (sp.cos(x) ** 2 + sp.sin(x) ** 2 - 1), "no point", id="only poles"),
+        pytest.param(sp.gamma(x), "gamma", id="unknown function"),
+        pytest.param(sp.Float(0.5) * x, "floating-point", id="inexact"),
+    ],
+)
+def test_sides_that_are_written_alike_are_equal_if_they_are_defined_anywhere(side, reason):
+    found = decide_equal(side, side)
+    assert isinstance(found, Undecided if reason else Proved)
+    assert reason is None or reason in found.reason
 
 
 def test_the_domain_bounds_the_points_of_a_witness():

@@ -40,7 +40,7 @@ class Angle:
 def read_angle(argument: sp.Expr) -> Angle:
     """Split the argument of a trigonometric function into atoms and a multiple of pi."""
     terms = [term.as_coeff_Mul() for term in sp.Add.make_args(argument)]
-    if not all(atom.is_Atom for _, atom in terms):
+    if not all(atom.is_Atom for _, atom in terms):  # else there is nothing to multiply out
         terms = [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(argument))]
     multiples: dict[sp.Expr, Any] = {}
     turns = sp.Integer(0)

@@ -2,8 +2,9 @@
 
 The order is what makes it fast. Balls at a few rational points of the domain refute almost every
 false formula in a fraction of a millisecond, before polynomials could grow. What they cannot tell
-from zero goes to the normal form, which decides. Only where absolute values or roots make the truth
-depend on signs are the sign patterns looked at, and compared with the domain.
+from zero goes to the normal form, which decides, unless both sides are written alike. Only where
+absolute values or roots make the truth depend on signs are the sign patterns looked at, and
+compared with the domain.
 """
 
 from __future__ import annotations
@@ -129,10 +130,12 @@ class _Question:
 
     @cached_property
     def difference(self) -> sp.Expr:
+        """The formula whose parts a condition is written in; not needed where there is none."""
         return subtract(self.printed, self.derived)
 
     def answer(self) -> Answer:
         """Decide; sides written alike are equal wherever they are defined, if that is anywhere."""
+        # One point where both are defined tells almost all false formulas; the rest take algebra.
         if not self.identical and any(map(_may_branch, self.parts)):
             return self.answer_with_branches()
         probe = next((probe for probe in self.probes(FIRST_LOOK) if probe.defined), None)
