@@ -20,7 +20,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cmp_to_key, reduce
-from itertools import combinations
+from itertools import chain, combinations
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -179,16 +179,18 @@ def combine(cells: Sequence[Cell], unknowns: Sequence[sp.Symbol]) -> Combined | 
     """
     found = [_monomials(cell.value, unknowns) for cell in cells]
     forms = [form for form in found if form is not None]
-    keys = list(dict.fromkeys(key for form in forms for key in form if any(key)))
+    keys = list(filter(any, dict.fromkeys(chain(*forms))))
     if len(forms) < len(cells) or not keys or sp.Matrix(keys).rank() < len(keys):
         return None
     symbols = {key: sp.Symbol(f"k_{place}", real=True) for place, key in enumerate(keys, 1)}
     meaning = {symbol: sp.Mul(*map(sp.Pow, unknowns, key)) for key, symbol in symbols.items()}
-    linear = [
-        replace(cell, value=sp.Add(*(c * symbols.get(key, 1) for key, c in form.items())))
-        for cell, form in zip(cells, forms, strict=True)
-    ]
+    values = (_linear(form, symbols) for form in forms)
+    linear = (replace(cell, value=value) for cell, value in zip(cells, values, strict=True))
     return Combined(meaning, tuple(linear))
+
+
+def _linear(form: Mapping[Powers, sp.Expr], symbols: Mapping[Powers, sp.Symbol]) -> sp.Expr:
+    return sp.Add(*(slope * symbols.get(key, 1) for key, slope in form.items()))
 
 
 def check_setup(

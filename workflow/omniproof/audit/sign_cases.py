@@ -26,20 +26,30 @@ def equivalent(printed: Boolean, derived: Boolean, assumed: Sequence[Boolean] = 
     """Decide whether two conditions hold in the same of the cases that are assumed to occur."""
     if not all(map(_on_a_monomial, printed.atoms(Relational) | derived.atoms(Relational))):
         return Undecided("a condition is not on the sign of a monomial")
+    known, others = _premises(assumed)
+    symbols = sorted(printed.free_symbols | derived.free_symbols, key=str)
+    for case in _cases(symbols, known):
+        sides = bool(printed.subs(case)), bool(derived.subs(case))
+        if sides[0] != sides[1]:
+            shown = {str(symbol): str(case[symbol]) for symbol in symbols}
+            return _unless(others, Witness(shown, *(str(side).lower() for side in sides)))
+    return Proved(ENGINE)
+
+
+def _unless(others: Sequence[Any], witness: Witness) -> Answer:
+    """Refute, unless an assumption that is not used here may strike the case out."""
+    if not others:
+        return Refuted(ENGINE, witness)
+    told = ", ".join(f"${latex(part)}$" for part in others)
+    return Undecided(f"it is not proved from {told}, and false without")
+
+
+def _premises(assumed: Sequence[Boolean]) -> tuple[list[Any], list[Any]]:
+    """Sort what is assumed into what strikes out cases, and the rest."""
     stated = [part for statement in assumed for part in And.make_args(statement)]
     premises = [part.canonical for part in stated if part != true]
     known = [part for part in premises if _on_a_monomial(part) or _is_bound(part)]
-    symbols = sorted(printed.free_symbols | derived.free_symbols, key=str)
-    apart = (c for c in _cases(symbols, known) if bool(printed.subs(c)) != bool(derived.subs(c)))
-    case = next(apart, None)
-    if case is None:
-        return Proved(ENGINE)
-    if len(known) < len(premises):
-        told = ", ".join(f"${latex(part)}$" for part in premises if part not in known)
-        return Undecided(f"it is not proved from {told}, and false without")
-    shown = {str(symbol): str(case[symbol]) for symbol in symbols}
-    sides = (str(bool(side.subs(case))).lower() for side in (printed, derived))
-    return Refuted(ENGINE, Witness(shown, *sides))
+    return known, [part for part in premises if part not in known]
 
 
 def _cases(symbols: Sequence[Symbol], known: Sequence[Any]) -> Iterator[Case]:
