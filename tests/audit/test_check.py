@@ -124,8 +124,8 @@ def test_a_fault_is_graver_than_a_condition():
                      "not decided: no proof was found without a bounded range for each symbol",
                      id="relation without range"),
         pytest.param(r"x^2 < x^2 + 1, \sin x < x^2 + \frac{9}{10}",
-                     r"not decided in `\sin x < x^2 + \frac{9}{10}`: no proof was found without a bounded "
-                     "range for each symbol", id="one of two"),
+                     r"not decided in `\sin x < x^2 + \frac{9}{10}`: no proof was found without a "
+                     "bounded range for each symbol", id="one of two"),
     ],
 )  # fmt: skip
 def test_undecided(text, message):

@@ -8,7 +8,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.enclosure import enclose, sign_by_intervals
+from omniproof.audit.enclosure import enclose
 
 x = sp.Symbol("x", real=True)
 half = sp.Rational(1, 2)
@@ -47,7 +47,6 @@ def test_a_number_is_enclosed_narrowly(number, known):
 )  # fmt: skip
 def test_what_is_no_real_number_has_no_enclosure(number):
     assert enclose(number) is None
-    assert sign_by_intervals(number) is None
 
 
 @settings(max_examples=100)
@@ -56,16 +55,3 @@ def test_fractions_lie_in_their_enclosure(one, other):
     left, right = (sp.Rational(f.numerator, f.denominator) for f in (one, other))
     lower, upper = enclose(sp.Add(left, sp.Mul(-2, right, evaluate=False), evaluate=False))
     assert lower <= one - 2 * other <= upper
-
-
-@pytest.mark.parametrize(
-    ("number", "sign"),
-    [
-        pytest.param(sp.sqrt(2) - Fraction(141, 100), 1, id="positive"),
-        pytest.param(sp.sin(4), -1, id="negative"),
-        pytest.param(sp.Integer(0), 0, id="zero"),
-        pytest.param(sp.sin(sp.pi / 7) - sp.cos(5 * sp.pi / 14), None, id="zero that is not seen"),
-    ],
-)
-def test_signs(number, sign):
-    assert sign_by_intervals(number) == sign

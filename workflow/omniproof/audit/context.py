@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 from sympy import Gt, Lt, MatrixBase, Symbol
@@ -13,6 +13,7 @@ from omniproof.audit.answer import Domain
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
+from omniproof.audit.lost_roots import lost_roots
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
 from omniproof.registry import Derivation, Derived, Registry, Relation
@@ -128,7 +129,7 @@ class Context:
         for name, (lower, upper) in ranges.items():
             if sign(subtract(upper, lower)) <= 0:
                 raise UnsupportedError(f"no value of {name} is left")
-        return domain_of(self._stated(claim), Domain(ranges))
+        return domain_of([*self._stated(claim), *self._lost_roots(claim)], Domain(ranges))
 
     def assumed(self, claim: str) -> list[Any]:
         """Return the same as SymPy relations: `domain` does not tell closed ends from open ones."""
@@ -144,6 +145,11 @@ class Context:
     def _stated(self, claim: str) -> list[Any]:
         stated = self.loaded.assumptions.get(claim, ())
         return [evaluate(node, self.meanings_at(claim, node)) for node in stated]
+
+    def _lost_roots(self, claim: str) -> tuple[Any, ...]:
+        if claim not in self.loaded.trees:
+            return ()
+        return lost_roots(self.loaded.trees[claim], partial(self.evaluate, claim))
 
     def sides(self, claim: str) -> tuple[Node, ...]:
         """Sides of a printed equation that its derivation is held against.

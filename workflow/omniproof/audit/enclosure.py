@@ -40,15 +40,6 @@ def enclose(number: sp.Expr, digits: int = DIGITS) -> tuple[Fraction, Fraction] 
         iv.dps = before
 
 
-def sign_by_intervals(number: sp.Expr) -> int | None:
-    """Return the certain sign of a real number, `None` where 60 digits do not tell it."""
-    ends = enclose(number)
-    if ends is None:
-        return None
-    signs = {(end > 0) - (end < 0) for end in ends}
-    return signs.pop() if len(signs) == 1 else None
-
-
 def _fraction(end: Any) -> Fraction:
     # A pole or the root of an interval around 0 has an infinite end, and then says nothing.
     if end in (libmp.fnan, libmp.finf, libmp.fninf):

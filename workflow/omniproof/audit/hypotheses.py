@@ -84,6 +84,16 @@ def _bound(relation: Relational) -> tuple[str, Any, Any] | None:
     return None
 
 
+def interior(domain: Domain) -> Domain:
+    """Return a domain without its edges; an equation that holds inside holds there by continuity.
+
+    Conditions that leave no interior leave no point to look at either, and so prove nothing.
+    """
+    strict = {sp.GreaterThan: sp.StrictGreaterThan, sp.LessThan: sp.StrictLessThan}
+    inside = (strict.get(type(each), type(each))(*each.args) for each in domain.conditions)
+    return Domain(domain.intervals, tuple(inside))
+
+
 def settle(form: NormalForm, expression: sp.Expr, domain: Domain) -> None:
     """Tell a normal form the signs that the domain gives to parts of a formula."""
     if domain == REALS:

@@ -38,7 +38,7 @@ from omniproof.audit.balls import (
 )
 from omniproof.audit.branches import Condition, find_condition
 from omniproof.audit.exact import subtract
-from omniproof.audit.hypotheses import settle
+from omniproof.audit.hypotheses import interior, settle
 from omniproof.audit.normal_form import NormalForm, normal_form
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import REACH, Sample, by_name, sample_points
@@ -122,7 +122,7 @@ class _Probe:
 
 class _Question:
     def __init__(self, printed: sp.Expr, derived: sp.Expr, domain: Domain) -> None:
-        self.printed, self.derived, self.domain = printed, derived, domain
+        self.printed, self.derived, self.domain = printed, derived, interior(domain)
         self.identical = printed == derived
         self.parts = _parts(printed, derived)
         self.symbols = sorted((part for part in self.parts if part.is_Symbol), key=by_name)
