@@ -48,6 +48,10 @@ HERON = (a + b + c) * (-a + b + c) * (a - b + c) * (a + b - c)
 UNIT = sp.Matrix([sin(x) * cos(y), sin(x) * sin(y), cos(x)])
 TURN = sp.Matrix([[cos(z), -sin(z), 0], [sin(z), cos(z), 0], [0, 0, 1]])
 HALF_TURN = Domain({"x": (-pi / 2, pi / 2)})
+SIDES = (a, b, sqrt(a**2 + b**2 - 2 * a * b * cos(x)))
+HALF = sp.Add(*SIDES) / 2
+IN_TRIANGLE = Domain({"x": (0, pi)})
+RADIUS = sqrt(x**2 + y**2)
 
 TRUE = (
     Row("pythagoras", "A&S 4.3.10", sin(x) ** 2 + cos(x) ** 2, sp.S.One),
@@ -217,6 +221,27 @@ TRUE = (
     Row("abs-product", "definition", Abs(x) * Abs(y), Abs(x * y)),
     Row("product-of-roots", "both roots real", sqrt(x) * sqrt(y), sqrt(x * y)),
     Row("positive-root", "lengths are positive", sqrt(a**2 * b), a * sqrt(b)),
+    Row(
+        "conjugate-roots",
+        "difference of squares",
+        sqrt(1 - sqrt(a)) * sqrt(1 + sqrt(a)),
+        sqrt(1 - a),
+    ),
+    Row(
+        "inradius",
+        "Todhunter, Plane Trigonometry XVI: area over half the perimeter",
+        sqrt(product(lambda side: HALF - side, SIDES) / HALF),
+        a * b * sin(x) / (2 * HALF),
+        domain=IN_TRIANGLE,
+    ),
+    Row(
+        "two-sides-are-roots",
+        "Heron, Metrica I.8, expanded",
+        sqrt(HERON.subs({a: sqrt(a), c: sqrt(c)})),
+        sqrt(2 * b**2 * (a + c) + 2 * a * c - a**2 - b**4 - c**2),
+    ),
+    Row("leg", "Euclid I.47", sqrt(RADIUS - x) * sqrt(RADIUS + x), Abs(y)),
+    Row("longer-than-a-leg", "Euclid I.19", Abs(RADIUS - x), RADIUS - x),
     Row("root-sine", "cosine on its half turn", sqrt(1 - sin(x) ** 2), cos(x), domain=HALF_TURN),
 )
 
@@ -269,6 +294,22 @@ FALSE = (
         "false",
     ),
     Row("heron-factor", "misprint", a * b * sqrt(1 - COS_GAMMA**2) / 2, sqrt(HERON) / 2, "false"),
+    Row(
+        "inradius-side",
+        "misprint",
+        sqrt(HALF * (HALF - SIDES[0]) * (HALF - SIDES[1]) / (HALF - SIDES[2])),
+        a * b * sin(x) / (2 * HALF),
+        "false",
+        IN_TRIANGLE,
+    ),
+    Row(
+        "conjugate-roots-sign",
+        "misprint",
+        sqrt(1 - sqrt(a)) * sqrt(1 + sqrt(a)),
+        sqrt(1 + a),
+        "false",
+    ),
+    Row("shorter-than-a-leg", "misprint", Abs(RADIUS - x), x - RADIUS, "false"),
     Row("index", "misprint", -sin(a1) + sin(a1), -sin(a1) + sin(a3), "false"),
     Row("never-equal", "a square root is not negative", sqrt(x**2 + 1), -sqrt(x**2 + 1), "false"),
     Row("small-angle", "an approximation is no identity", sin(x), x, "false"),
@@ -283,6 +324,14 @@ BRANCH = (
     Row("two-signs", "both numbers", Abs(x) + Abs(y), x + y, "branch"),
     Row("product-sign", "equal signs", Abs(x) * Abs(y), x * y, "branch"),
     Row("sum-of-sizes", "triangle inequality, equality", Abs(x + a) + Abs(x - a), 2 * x, "branch"),
+    Row(
+        "half-angle-of-a-triangle",
+        "Todhunter, Plane Trigonometry XIII, without its domain",
+        sin(x / 2),
+        sqrt((HALF - a) * (HALF - b) / (a * b)),
+        "branch",
+    ),
+    Row("leg-sign", "Euclid I.47", sqrt((RADIUS - x) * (RADIUS + x)), y, "branch"),
     Row(
         "interval",
         "sign in an interval",

@@ -75,8 +75,26 @@ def test_points_keep_the_conditions() -> None:
 
 
 def test_a_closed_end_and_a_tighter_bound() -> None:
-    assert domain_of([a >= 0, a > 1, a < 3, a <= 2]) == Domain({"a": (1, 2)})
+    tighter = domain_of([a >= 0, a > 1, a < 3, a <= 2])
+    assert tighter == Domain({"a": (1, 2)}, closed={"a": (False, True)})
     assert domain_of([]) == REALS
+
+
+@pytest.mark.parametrize(
+    ("stated", "closed"),
+    [
+        pytest.param([a >= 0], (True, False), id="one side"),
+        pytest.param([a >= 0, a >= 0, a <= 1], (True, True), id="said twice"),
+        pytest.param([a >= 0, a > 0, a <= 1], (False, True), id="the stricter one counts"),
+        pytest.param([a >= 0, a >= 1, a <= 2], (True, True), id="the tighter one counts"),
+    ],
+)
+def test_which_ends_belong_to_an_interval(stated: list[Any], closed: tuple[bool, bool]) -> None:
+    assert domain_of(stated).closed == {"a": closed}
+
+
+def test_an_open_range_stays_open() -> None:
+    assert domain_of([a >= 0], Domain({"a": (0, 1)})).closed == {}
 
 
 @pytest.mark.parametrize(
@@ -113,6 +131,8 @@ def test_signs_that_follow(expression: Expr, stated: tuple[Any, ...], sign: int 
     assert sign_under(expression, domain_of(stated)) == sign
 
 
+LINE = {t: (0, 3)}
+UPWARD = (Form.POSITIVE, Family(t, LINE))
 UNIT = {a: (-1, 1), b: (-1, 1)}
 ORDERED = (Form.POSITIVE, Family(b - a, UNIT))
 
@@ -129,6 +149,12 @@ ORDERED = (Form.POSITIVE, Family(b - a, UNIT))
         pytest.param(*ORDERED, (a < b,), Proved, id="the condition decides"),
         pytest.param(*ORDERED, (a < b + 1,), Undecided, id="the condition does not"),
         pytest.param(Form.EQUAL, (Abs(a - b), b - a), (a < b,), Proved, id="equal on a domain"),
+        pytest.param(*UPWARD, (t < 1,), Proved, id="open end"),
+        pytest.param(*UPWARD, (t >= 0,), OnBranch, id="zero at a closed end"),
+        pytest.param(*UPWARD, (t >= 1, t <= 2), Proved, id="closed ends that do no harm"),
+        pytest.param(Form.CHAIN, Ordered((sin(t), t), LINE), (t >= 0,), OnBranch,
+                     id="a chain that fails at a closed end"),
+        pytest.param(*ORDERED, (a < b, a >= -1), Proved, id="a condition and a closed end"),
         pytest.param(Form.CHAIN, Ordered((sin(t), cos(t)), {t: (0, pi)}), (t < pi / 4,), Proved,
                      id="a chain"),
         pytest.param(Form.CIRCLE, Curve((a * cos(t), a * sin(t)), {t: (0, pi)}), (a > 0,), Proved,

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from omniproof.audit.answer import REALS, Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.comparison import compare
 
-x, y = sp.symbols("x y", real=True)
-p = sp.Symbol("p", positive=True)
+x, y, A, B = sp.symbols("x y A B", real=True)
+p, q = sp.symbols("p q", positive=True)
 sin, cos, tan, pi, sqrt = sp.sin, sp.cos, sp.tan, sp.pi, sp.sqrt
 
 
@@ -22,6 +22,9 @@ def between(lower, upper, name="x"):
 
 
 POSITIVE = Domain({"p": (sp.S.Zero, sp.oo)})
+TRIANGLE = Domain({"A": (sp.S.Zero, pi), "B": (sp.S.Zero, pi)})
+SUM = cos(A) + cos(B) - cos(A + B)
+MOTZKIN = x**4 * y**2 + x**2 * y**4 + 1
 SQUARE = Domain({"x": (sp.S.Zero, sp.S.One), "y": (sp.Integer(2), sp.Integer(3))})
 
 
@@ -46,6 +49,11 @@ SQUARE = Domain({"x": (sp.S.Zero, sp.S.One), "y": (sp.Integer(2), sp.Integer(3))
         pytest.param(x**3, "<", sp.S.Zero, between(-sp.oo, 0), id="below 0"),
         pytest.param(cos(x), "\\neq", sp.Integer(2), between(0, 1), id="never equal"),
         pytest.param(1 / x, "\\neq", sp.S.Zero, between(-1, 1), id="both signs, no zero"),
+        pytest.param(x**2 + y**2, "\\neq", x * y - 1, REALS, id="never equal, two variables"),
+        pytest.param(SUM, "\\leq", sp.Rational(3, 2), TRIANGLE, id="equality inside of a box"),
+        pytest.param(sin(x) * sin(y), "\\leq", sp.S.One, REALS, id="two free angles"),
+        pytest.param(p / 2 + q / 2, "\\geq", sqrt(p * q), POSITIVE, id="two means"),
+        pytest.param(MOTZKIN, "\\geq", 3 * x**2 * y**2, REALS, id="no sum of squares"),
     ],
 )
 def test_true(left, sign, right, domain):
@@ -68,6 +76,15 @@ def test_true(left, sign, right, domain):
         pytest.param(
             x**2 + y**2, ">", 2 * x * y, REALS, "x=0; y=0; printed=0; derived=0", id="at the origin"
         ),
+        pytest.param(
+            sin(x) * sin(y), "<", sp.S.One, REALS,
+            "x=-pi/2; y=-pi/2; printed=1.000; derived=1.000", id="equality at two angles"),
+        pytest.param(
+            (x - sp.Rational(1, 3)) ** 2 + (y - sqrt(2)) ** 2, ">", sp.S.Zero, REALS,
+            "x=1/3; y=sqrt(2); printed=0; derived=0", id="equality at a root"),
+        pytest.param(
+            (x - sp.Rational(1, 7)) ** 2 + (y - 50) ** 2, ">", sp.Rational(1, 100), REALS,
+            "x=1/7; y=50; printed=0; derived=0.01000", id="false where no sample is"),
     ],
 )  # fmt: skip
 def test_false(left, sign, right, domain, witness):
@@ -82,6 +99,29 @@ def test_a_witness_lies_in_the_range():
     place = sp.Rational(found.witness.point["x"])
     assert pi < place < 4
     assert sin(place) < 0
+
+
+def closed(lower, upper):
+    ends = (True, upper != sp.oo)
+    return Domain({"x": (sp.sympify(lower), sp.sympify(upper))}, closed={"x": ends})
+
+
+@pytest.mark.parametrize(
+    ("left", "sign", "right", "domain", "answer"),
+    [
+        pytest.param(x**2, "\\geq", sp.S.Zero, closed(0, sp.oo), Proved, id="half line"),
+        pytest.param(x**2, ">", sp.S.Zero, between(0, sp.oo), Proved, id="open half line"),
+        pytest.param(x**2, ">", sp.S.Zero, closed(0, sp.oo), Refuted, id="false at its end"),
+        pytest.param(sin(x), "\\geq", sp.S.Zero, closed(0, pi), Proved, id="not strict"),
+        pytest.param(sin(x), ">", sp.S.Zero, between(0, pi), Proved, id="strict on an open one"),
+        pytest.param(sin(x), ">", sp.S.Zero, closed(0, pi), OnBranch, id="strict on a closed one"),
+        pytest.param(cos(x), "\\neq", sp.S.Zero, between(0, pi / 2), Proved, id="no zero inside"),
+        pytest.param(cos(x), "\\neq", sp.S.Zero, closed(0, pi / 2), OnBranch, id="zero at an end"),
+        pytest.param(1 / x, ">", sp.S.Zero, closed(0, 1), Proved, id="undefined at an end"),
+    ],
+)
+def test_closed_ends_belong_to_a_range(left, sign, right, domain, answer):
+    assert isinstance(compare(left, sign, right, domain), answer)
 
 
 @pytest.mark.parametrize(
@@ -100,13 +140,17 @@ def test_a_witness_lies_in_the_range():
         pytest.param(
             sin(x) ** 2, "\\neq", sp.S.Zero, between(-1, 4), r"x \neq 0,\; x \neq \pi", id="but two"
         ),
+        pytest.param(
+            SUM, "<", sp.Rational(3, 2), TRIANGLE,
+            r"A \neq \frac{\pi}{3} \text{ or } B \neq \frac{\pi}{3}", id="but one of a box"),
     ],
 )  # fmt: skip
 def test_true_on_a_set(left, sign, right, domain, condition):
     found = compare(left, sign, right, domain)
     assert isinstance(found, OnBranch)
     assert found.condition == condition
-    place = {x: sp.sympify(found.witness.point["x"])}
+    named = {symbol.name: symbol for symbol in (left - right).free_symbols}
+    place = {named[name]: sp.sympify(value) for name, value in found.witness.point.items()}
     assert sp.And(*found.relations).subs(place) == sp.false
 
 
@@ -117,11 +161,8 @@ def test_true_on_a_set(left, sign, right, domain, condition):
             p, ">", sin(p), POSITIVE, "no proof was found without a bounded range for each symbol",
             id="angle and number"),
         pytest.param(
-            sin(x) * sin(y), "\\leq", sp.S.One, REALS,
-            "no proof was found without a bounded range for each symbol", id="two angles"),
-        pytest.param(
-            x, "\\neq", sp.S.Zero, REALS,
-            "no proof was found without a bounded range for each symbol", id="unequal"),
+            sp.exp(x + y), ">", x + y, REALS,
+            "no proof was found without a bounded range for each symbol", id="no algebra"),
     ],
 )  # fmt: skip
 def test_undecided(left, sign, right, domain, reason):

@@ -173,6 +173,123 @@ def test_the_set_of_a_sign_is_exact(function, box, condition, degrees):
     assert function.subs(t, place) <= 0
 
 
+BOTH = (True, True)
+HALVES = sp.Rational(3, 2) - cos(A) - cos(B) + cos(A + B)  # least for the equilateral triangle
+CUBIC = t * (t - 1) ** 2  # 4/27 at 1/3 and at 4/3, 0 at 0 and at 1
+
+
+@pytest.mark.parametrize(
+    ("function", "box", "closed", "points", "kind", "answer"),
+    [
+        pytest.param(t**2, {t: (0, 1)}, {t: BOTH}, [(0,)], "minimum", Proved, id="at an end"),
+        pytest.param(t, {t: (0, 1)}, {t: BOTH}, [(1,)], "maximum", Proved, id="with a slope"),
+        pytest.param(t, {t: (0, 1)}, {t: (True, False)}, [(1,)], "maximum", Refuted, id="open end"),
+        pytest.param(sin(t), {t: (0, pi)}, {t: BOTH}, [(pi / 2,)], "maximum", Proved, id="inside"),
+        pytest.param(sin(t), {t: (0, pi)}, {t: BOTH}, [(0,)], "minimum", Refuted, id="two ends"),
+        pytest.param(
+            sin(t), {t: (0, pi)}, {t: BOTH}, [(0,), (pi,)], "minimum", Proved, id="both named"
+        ),
+        pytest.param(
+            CUBIC, {t: (0, sp.Rational(4, 3))}, {t: BOTH}, [(sp.Rational(1, 3),)], "maximum",
+            Refuted, id="as large at a closed end"),
+        pytest.param(
+            HALVES, {A: (0, pi), B: (0, pi)}, {A: BOTH, B: BOTH}, [(pi / 3, pi / 3)], "minimum",
+            Proved, id="triangle, degenerate ones too"),
+        pytest.param(
+            SINES, {A: (0, 2 * pi), B: (0, 2 * pi)}, {A: BOTH}, [THIRD], "maximum", Proved,
+            id="two wheels at one place"),
+    ],
+)  # fmt: skip
+def test_extrema_with_closed_ends(function, box, closed, points, kind, answer):
+    assert isinstance(prove_extremum(Family(function, box), points, kind, closed), answer)
+
+
+SQUARE = {A: (-1, 2), B: (-1, 2)}
+
+
+@pytest.mark.parametrize(
+    ("function", "box", "closed", "answer"),
+    [
+        pytest.param(A * B, {A: (0, 1), B: (0, 1)}, {}, Proved, id="open square"),
+        pytest.param(A * B, {A: (0, 1), B: (0, 1)}, {A: BOTH}, Refuted, id="zero on an edge"),
+        pytest.param(B + A * B, {A: (0, 1), B: (0, 1)}, {A: BOTH}, Proved, id="an open side"),
+        pytest.param(1 / A + B, {A: (0, 1), B: (0, 1)}, {A: BOTH}, Proved, id="undefined edge"),
+        pytest.param(
+            A**2 + B**2, {A: (0, 1), B: (0, 2)}, {A: BOTH, B: BOTH}, Refuted, id="a corner"
+        ),
+        pytest.param(A**2 + B**2, {A: (0, 1), B: (0, 2)}, {A: BOTH}, Proved, id="open corner"),
+        pytest.param(4 - A - B, {A: (0, 1), B: (0, 2)}, {A: BOTH, B: BOTH}, Proved, id="no corner"),
+    ],
+)
+def test_signs_on_closed_faces(function, box, closed, answer):
+    found = sign_on(Family(function, box), 1, closed=closed)
+    assert isinstance(found, answer)
+    if isinstance(found, Refuted):
+        place = {s: sp.sympify(found.witness.point[s.name]) for s in box}
+        assert function.subs(place) <= 0
+
+
+@pytest.mark.parametrize(
+    ("function", "upper", "zero", "condition"),
+    [
+        pytest.param(sin(t), 2 * pi, False, r"0 < t < \pi", id="strict"),
+        pytest.param(
+            sin(t), 2 * pi, True, r"0 \leq t \leq \pi \text{ or } t = 2 \pi", id="not strict"
+        ),
+        pytest.param(-sin(t), pi, True, r"t = 0 \text{ or } t = \pi", id="ends only"),
+        pytest.param(1 - cos(t), 1, False, r"0 < t \leq 1", id="all but one end"),
+    ],
+)
+def test_the_set_of_a_sign_on_a_closed_interval(function, upper, zero, condition):
+    found = sign_on(Family(function, {t: (0, upper)}), 1, zero=zero, closed={t: BOTH})
+    assert isinstance(found, OnBranch)
+    assert found.condition == condition
+
+
+TRIANGLE = {A: (0, pi), B: (0, pi)}
+OFF_AXIS = r"A \neq 0 \text{ or } B \neq 0"
+
+
+@pytest.mark.parametrize(
+    ("function", "box", "condition"),
+    [
+        pytest.param(
+            HALVES, TRIANGLE, r"A \neq \frac{\pi}{3} \text{ or } B \neq \frac{\pi}{3}", id="angles"
+        ),
+        pytest.param(A**2 + B**2, SQUARE, OFF_AXIS, id="origin"),
+        pytest.param((A**2 + B**2) * (3 + A) / (2 + B), SQUARE, OFF_AXIS, id="factors"),
+        pytest.param(
+            (A**2 + B**2) * ((A - 1) ** 2 + (B - 1) ** 2), SQUARE,
+            rf"({OFF_AXIS}) \text{{ and }} (A \neq 1 \text{{ or }} B \neq 1)", id="two points",
+        ),
+    ],
+)  # fmt: skip
+def test_a_function_that_touches_zero_at_points_of_a_box(function, box, condition):
+    assert isinstance(sign_on(Family(function, box), 1, zero=True), Proved)
+    assert not isinstance(sign_on(Family(function, box), -1, zero=True), Proved)
+    found = sign_on(Family(function, box), 1)
+    assert isinstance(found, OnBranch)
+    assert found.condition == condition
+    place = {s: sp.sympify(found.witness.point[s.name]) for s in box}
+    assert function.subs(place) == 0
+    assert sp.And(*found.relations).subs(place) == sp.false
+
+
+@pytest.mark.parametrize(
+    ("function", "answer"),
+    [
+        pytest.param(1 / (A**2 + B**2), Proved, id="a pole is no zero"),
+        pytest.param((A**2 + B**2) / (A**2 + B**2 + 3 * A * B / 2), Proved, id="undefined there"),
+        pytest.param((A - 1) ** 2 * (B + 2), Undecided, id="a line of zeros"),
+        pytest.param((A - B) ** 2, Undecided, id="an oblique line of zeros"),
+        pytest.param(A**4 + B**4, Undecided, id="no curvature at the zero"),
+        pytest.param((A - sqrt(2) / 3) ** 2 + B**2, Undecided, id="a zero that is not recognised"),
+    ],
+)
+def test_strict_signs_on_a_square(function, answer):
+    assert isinstance(sign_on(Family(function, SQUARE), 1), answer)
+
+
 @pytest.mark.parametrize(
     ("function", "box", "condition"),
     [

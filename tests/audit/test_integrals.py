@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 import sympy as sp
-from mpmath import quad
 
 from omniproof.audit.answer import Proved, Refuted, Undecided
 from omniproof.audit.confirm import confirmed_equal
@@ -88,12 +88,17 @@ def test_what_has_no_functions_stays_as_it_is(value: object) -> None:
     assert flattened(value) is value
 
 
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
+
+
 def by_quadrature(value: sp.Expr, time: float) -> float:
     """An expression with f = 1 + t^2 and g = cos t, its integrals summed up numerically."""
     if isinstance(value, sp.Integral):
         ((_, lower, upper),) = value.limits
-        ends = float(lower), time if upper == t else 2.0
-        return float(quad(lambda x: by_quadrature(value.function, float(x)), ends))
+        low, high = float(lower), time if upper == t else 2.0
+        places = (high + low) / 2 + (high - low) / 2 * NODES
+        terms = [by_quadrature(value.function, float(x)) for x in places]
+        return float(WEIGHTS @ terms) * (high - low) / 2
     known = {f(t): 1 + time**2, g(t): math.cos(time), t: time, T: 2.0, L: 1.5}
     if value in known or not value.args:
         return float(known.get(value, value))

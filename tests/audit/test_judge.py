@@ -40,13 +40,17 @@ ROWS = [
         derived=r"\Gamma\left(x\right)"),
     row("eq:11", "verified", "it rests on a row with a fault", printed="y", derived="y",
         follows="eq:6[2,3]"),
-    row("eq:13[1]", "model-gap", "right by the premise, wrong by mechanics", printed="x",
+    row("eq:16[1]", "model-gap", "right by the premise, wrong by mechanics", printed="x",
         derived=r"x \cos {y}", correction=r"x \cos {y}", repair="manual", consequence="motion",
         witness="x=20/9; y=-26/9; printed=2.222; derived=-2.152"),
-    row("eq:13[2]", "verified", "premise and mechanics agree", printed="y", derived="y"),
-    row("eq:13[3]", "erratum", "wrong by the premise too", printed="2 x",
+    row("eq:16[2]", "verified", "premise and mechanics agree", printed="y", derived="y"),
+    row("eq:16[3]", "erratum", "wrong by the premise too", printed="2 x",
         derived=r"x \cos {y}", correction=r"x \cos {y}", repair="manual", consequence="motion",
         witness="x=20/9; y=-26/9; printed=4.444; derived=-2.152"),
+    row("eq:13", "verified", "f(2y) is sin 2y", printed="f(2y)", derived=r"\sin {2 y}"),
+    row("eq:14", "erratum", "f(y) is not f(x)", printed="f(y)", derived=r"\sin {x}",
+        correction="f(x)", repair="explained", consequence="motion",
+        witness="x=20/9; y=-26/9; printed=-0.2500; derived=0.7952"),
     row("sec:1/grows", "verified", "1 < 2 < 3", printed="it grows"),
     row("sec:1/shrinks", "erratum", "1 < 2, and the correction is proved", printed="it shrinks",
         correction="it grows", repair="manual", consequence="motion",
@@ -63,6 +67,11 @@ ROWS = [
         correction="no", repair="manual", consequence="motion",
         witness="x=20/9; y=-26/9; printed=2.222; derived=-2.889"),
     row("eq:12", "verified", "xy > 0 iff the signs agree", printed="x y > 0"),
+    row("eq:15", "verified", "xy > 0 iff x > 0, where y > 0", printed="x y > 0"),
+    row("sec:1/acute", "erratum", "x = 210 degrees is not acute", correction="x = 210",
+        printed=r"\{210^\circ, 270^\circ, 330^\circ\}", repair="manual", consequence="motion",
+        witness="angle_1=210°; angle_2=270°; angle_3=330°; printed=allowed; "
+        "derived=x = 210° or 330°"),
     row("sec:1/angles", "verified", "t = 210 degrees",
         printed=r"\{210^\circ, 270^\circ, 330^\circ\}"),
     row("sec:1/best", "verified", "2 > 1", printed="it is largest at 90 degrees"),
@@ -137,8 +146,8 @@ def test_rows(name: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
          "latter."),
         ("sec:2/lever", "flint", "the lever is stated. stated at sec:2/lever: the lever is 1; "
          "used at app:A/lever: the lever is L. The printed formulas need the latter."),
-        ("tab:2[truncated,value]", "flint", "numbers. truncated, relative error -0.0029."),
-        ("tab:2[neighbour,value]", "flint", "numbers. off by one, relative error -0.0037."),
+        ("tab:2[truncated,value]", "flint+mpmath", "numbers. truncated, relative error -0.0029."),
+        ("tab:2[neighbour,value]", "flint+mpmath", "numbers. off by one, relative error -0.0037."),
         ("xref:sec-3-cites-eq-1", "text", "eq:1 does not contain $y$."),
         ("xref:sec-3-cites-2", "", "the title says so."),
         ("sec:3/noble", "", "misspelt."),
@@ -152,11 +161,11 @@ def test_engines_and_notes(name: str, engines: str, note: str, rows: dict[str, R
 def test_rows_stand_in_order_of_place_and_claims_are_counted_without_entries(
     tiny_ledger: Ledger,
 ) -> None:
-    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 40)
+    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 44)
     assert [row.id for row in tiny_ledger.rows[:9]] == [
         "eq:1", "eq:6[1,1]", "eq:6[1,2]", "eq:6[1,3]", "eq:6[2,1]", "eq:6[2,2]", "eq:6[2,3]",
         "eq:7", "eq:8"]  # fmt: skip
-    assert len(tiny_ledger.rows) == 40 + 5 + 2
+    assert len(tiny_ledger.rows) == 44 + 5 + 2
 
 
 def test_the_same_paper_gives_the_same_bytes(tiny_folder: Path, tiny_ledger: Ledger) -> None:

@@ -108,7 +108,9 @@ DIVERSE = [
 def test_digits_are_those_of_the_expression(text):
     point = {sp.Symbol("theta"): sp.Rational(5, 7), sp.Symbol("L"): sp.Rational(9, 4)}
     meanings = {r"\theta": sp.Symbol("theta"), "L": sp.Symbol("L")}
-    own = digits.value(tree_of(text), lambda name: digits.known_value(meanings[name], point))
+    own = digits.value(
+        tree_of(text), lambda symbol: digits.known_value(meanings[symbol.name], point)
+    )
     known = digits.known_value(evaluate(tree_of(text), meanings, text), point)
     assert digits.are_equal(own, known)
     with mp.workdps(digits.DIGITS):

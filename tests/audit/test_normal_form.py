@@ -105,6 +105,9 @@ def test_square_free_parts(above, below):
         pytest.param(
             pi * (x + 90) / 180, {pi * x: sp.Rational(1, 180)}, sp.Rational(1, 2), id="degrees"
         ),
+        pytest.param(sp.Mul(2, x + pi, evaluate=False), {x: 2}, 2, id="not multiplied out"),
+        pytest.param(sp.Add(x, pi, x, evaluate=False), {x: 2}, 1, id="not collected"),
+        pytest.param((1 + sqrt(2)) * pi, {sqrt(2) * pi: 1}, 1, id="irrational multiple of pi"),
         pytest.param(a * x + 1, {a * x: 1, sp.S.One: 1}, 0, id="products and numbers"),
     ],
 )

@@ -5,17 +5,16 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from sympy import Abs, And, Integer, Or, Rational, Symbol, cos, pi, sin, sqrt, symbols
+from sympy import Abs, Integer, Rational, cos, pi, sin, sqrt, symbols
 
 from omniproof.audit.answer import OnBranch, Proved, Refuted, Undecided
-from omniproof.audit.relations import equivalent, instance, judge, merge
+from omniproof.audit.relations import judge, merge
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
 x, y, t = symbols("x y t", real=True)
-u = Symbol("u", positive=True)
-n = Symbol("n", real=True, nonzero=True)
 TURN = {t: (Integer(0), 2 * pi)}
+SQUARE = {x: (-Integer(1), Integer(2)), y: (-Integer(1), Integer(2))}
 HALF = {t: (Integer(0), pi)}
 ROOTS = {"one": Integer(1), "two": sqrt(2), "three": sqrt(3)}
 
@@ -67,6 +66,8 @@ STATEMENTS = [
     false("ellipse", Curve((t, t**2), TURN), "a parabola"),
     true("chain", Ordered((sin(t), t), HALF), "sin t < t"),
     false("chain", Ordered((t, sin(t)), HALF), "t > sin t"),
+    true("chain", Ordered((-x * x - 1, y * y), SQUARE), "of two variables"),
+    false("chain", Ordered((-x * x, y * y), SQUARE), "equal at the origin"),
 ]  # fmt: skip
 
 
@@ -132,65 +133,6 @@ def test_a_form_on_the_wrong_subject_is_undecided(obligation: Obligation, reason
 
 def test_a_sequence_that_is_no_number_is_undecided() -> None:
     assert isinstance(judge(Obligation(Form.POSITIVE, (x,))), Undecided)
-
-
-@pytest.mark.parametrize(
-    ("printed", "derived", "expected"),
-    [
-        pytest.param(x * y > 0, Or(And(x > 0, y > 0), And(x < 0, y < 0)), Proved,
-                     id="a product is positive iff the signs agree"),
-        pytest.param(-x * y < 0, x * y > 0, Proved, id="both sides times -1"),
-        pytest.param(x * u**2 > 0, x > 0, Proved, id="a positive factor"),
-        pytest.param(x * n**2 > 0, x > 0, Proved, id="a square that is not zero"),
-        pytest.param(x * y > 0, x > 0, Refuted, id="one sign says nothing of the other"),
-        pytest.param(x >= 0, x > 0, Refuted, id="they differ at zero"),
-        pytest.param(x * y**2 > 0, x > 0, Refuted, id="a square may be zero"),
-    ],
-)  # fmt: skip
-def test_equivalent(printed: Any, derived: Any, expected: type) -> None:
-    assert isinstance(equivalent(printed, derived), expected)
-
-
-def test_equivalent_shows_the_case_in_which_they_differ() -> None:
-    answer = equivalent(x >= 0, x > 0)
-    assert isinstance(answer, Refuted)
-    assert str(answer.witness) == "x=0; printed=true; derived=false"
-
-
-def test_conditions_on_sums_are_undecided() -> None:
-    answer = equivalent(x + y > 0, x > 0)
-    assert answer == Undecided("a condition is not on the sign of a monomial")
-
-
-def degrees(*angles_deg: int) -> tuple[Any, ...]:
-    return tuple(Rational(angle, 180) * pi for angle in angles_deg)
-
-
-ISOSCELES = (t, pi - t, 3 * pi / 2)
-
-
-@pytest.mark.parametrize(
-    ("printed", "expected"),
-    [
-        pytest.param(degrees(30, 150, 270), Proved, id="t = 30"),
-        pytest.param(degrees(270, 150, 30), Proved, id="in another order"),
-        pytest.param(degrees(210, 270, 330), Proved, id="t = 210, by a full turn"),
-        pytest.param(degrees(390, 150, -90), Proved, id="by full turns"),
-        pytest.param(degrees(210, 270, 300), Refuted, id="210 and 300 do not add up to 180"),
-        pytest.param(degrees(30, 150, 271), Refuted, id="the third wheel off"),
-        pytest.param(degrees(30, 30, 270), Refuted, id="one angle twice"),
-    ],
-)
-def test_instance(printed: tuple[Any, ...], expected: type) -> None:
-    assert isinstance(instance(printed, ISOSCELES), expected)
-
-
-def test_instance_shows_how_many_angles_fit() -> None:
-    answer = instance(degrees(210, 270, 300), ISOSCELES)
-    assert isinstance(answer, Refuted)
-    assert str(answer.witness) == (
-        "angle_1=210°; angle_2=270°; angle_3=300°; printed=3 angles; derived=2 in one member"
-    )
 
 
 def test_merge_names_the_engines_in_the_order_of_the_ledger():

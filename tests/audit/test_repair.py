@@ -34,8 +34,8 @@ def tree_of(text: str):
 
 
 def quick_look(right: str) -> QuickLook:
-    def meaning(name: str):
-        return at_points(MEANINGS[name])
+    def meaning(symbol):
+        return at_points(MEANINGS[symbol.name])
 
     return QuickLook(tree_of, meaning, at_points(value(right)))
 

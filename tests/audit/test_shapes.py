@@ -7,8 +7,10 @@ from typing import Any
 import pytest
 from sympy import Abs, Integer, Rational, cos, oo, pi, sin, sqrt, symbols, tan
 
+from omniproof.audit import zero_test
 from omniproof.audit.answer import OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.relations import judge
+from omniproof.audit.zero_test import DisagreementError
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
@@ -87,6 +89,39 @@ def test_other_shapes_are_refuted(form: Form, subject: Curve, note: str) -> None
     answer = judge(Obligation(form, subject))
     assert isinstance(answer, Refuted)
     assert answer.witness.printed != answer.witness.derived
+
+
+@pytest.mark.parametrize(
+    ("form", "curve_", "engines"),
+    [
+        pytest.param("line", Curve((cos(t), 1 + 2 * cos(t)), TURN), "flint+modular+z3",
+                     id="no root"),
+        pytest.param("circle", Curve((t, sqrt(1 - t**2)), UNIT), "flint+modular+z3",
+                     id="the square of a root is none"),
+        pytest.param("line", Curve((sqrt(1 + t**2), 2 * sqrt(1 + t**2)), UNIT), "flint+modular",
+                     id="a root is nothing for z3"),
+    ],
+)  # fmt: skip
+def test_engines_that_prove_every_step_are_named(form: str, curve_: Curve, engines: str) -> None:
+    answer = judge(Obligation(Form(form), curve_))
+    assert "+".join(answer.engines) == engines
+
+
+@pytest.mark.parametrize(
+    ("form", "coordinates"),
+    [
+        pytest.param("line", (cos(t), sin(t)), id="no line"),
+        pytest.param("circle", (2 * cos(t), sin(t)), id="no circle"),
+        pytest.param("ellipse", (cos(t), sin(2 * t)), id="no ellipse"),
+    ],
+)
+def test_a_first_engine_to_which_all_is_zero_is_caught(
+    form: str, coordinates: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(zero_test._Probe, "differs", property(lambda _: False))
+    monkeypatch.setattr(zero_test.NormalForm, "is_zero", property(lambda _: True))
+    with pytest.raises(DisagreementError, match=r"^modular contradicts flint on "):
+        judge(Obligation(Form(form), Curve(coordinates, TURN)))
 
 
 def test_a_radius_that_may_be_zero_is_a_condition() -> None:

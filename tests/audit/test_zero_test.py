@@ -118,6 +118,39 @@ def test_what_the_domain_settles_is_no_condition():
 
 
 @pytest.mark.parametrize(
+    ("left", "right", "condition"),
+    [
+        pytest.param(
+            sp.cos(x / 3),
+            sp.sqrt(1 - sp.sin(x / 3) ** 2),
+            r"\cos{\left(\frac{x}{3} \right)} \geq 0",
+            id="a slow angle",
+        ),
+        pytest.param(
+            sp.cos(sp.pi * x / 180),
+            sp.sqrt((1 + sp.cos(sp.pi * x / 90)) / 2),
+            r"\cos{\left(\frac{\pi x}{180} \right)} \geq 0",
+            id="degrees",
+        ),
+        pytest.param(sp.Abs(300 - x), 300 - x, r"300 - x \geq 0", id="a large number"),
+    ],
+)
+def test_a_difference_far_out_is_found(left, right, condition):
+    """No point within (-3, 3) shows one."""
+    found = decide_equal(left, right)
+    assert isinstance(found, OnBranch)
+    assert found.condition == condition
+    assert abs(Fraction(found.witness.point["x"])) > 3
+    gap = high_precision(left - right, found.witness.point)
+    assert abs(gap) > mpmath.mpf(10) ** -40
+
+
+def test_a_bounded_domain_has_nothing_far_out():
+    inside = Domain({"x": (-sp.pi, sp.pi)})
+    assert isinstance(decide_equal(sp.cos(x / 2), sp.sqrt((1 + sp.cos(x)) / 2), inside), Proved)
+
+
+@pytest.mark.parametrize(
     ("expression", "reason"),
     [
         pytest.param(x / 0, "undefined value", id="division by zero"),
@@ -171,9 +204,23 @@ def test_one_undefined_side_is_refuted_and_two_are_undecided():
     assert isinstance(decide_equal(x / 0, y / 0), Undecided)
 
 
-def test_cells_that_vanish_on_subtraction_are_looked_at():
-    assert isinstance(decide_equal(sp.sin(x), sp.sin(x)), Proved)
-    assert isinstance(decide_equal(sp.S.Zero, sp.S.Zero), Proved)
+@pytest.mark.parametrize(
+    ("side", "reason"),
+    [
+        pytest.param(sp.sin(x), None, id="a formula"),
+        pytest.param(sp.S.Zero, None, id="a number"),
+        pytest.param(sp.sqrt(x - 1) / abs(y), None, id="defined in a part"),
+        pytest.param(sp.exp(sp.atan2(y, x)), None, id="outside of the normal form"),
+        pytest.param(sp.sqrt(-1 - x**2), "no point of the domain", id="nowhere real"),
+        pytest.param(1 / (sp.cos(x) ** 2 + sp.sin(x) ** 2 - 1), "no point", id="only poles"),
+        pytest.param(sp.gamma(x), "gamma", id="unknown function"),
+        pytest.param(sp.Float(0.5) * x, "floating-point", id="inexact"),
+    ],
+)
+def test_sides_that_are_written_alike_are_equal_if_they_are_defined_anywhere(side, reason):
+    found = decide_equal(side, side)
+    assert isinstance(found, Undecided if reason else Proved)
+    assert reason is None or reason in found.reason
 
 
 def test_the_domain_bounds_the_points_of_a_witness():
@@ -193,9 +240,10 @@ def wrong_rows() -> list[str]:
     return wrong
 
 
-def _forget_a_sign(self, cosine, sine, c, s):
+def _forget_a_sign(self, one, other):
+    (cosine, sine, denominator), (c, s, d) = one, other
     times = self.ring.times
-    return times(cosine, c) + times(sine, s), times(cosine, s) + times(sine, c)
+    return times(cosine, c) + times(sine, s), times(cosine, s) + times(sine, c), denominator * d
 
 
 def _always_plus(self, place):

@@ -43,6 +43,7 @@ symbols:
   - {latex: 'x', name: x, means: a number}
   - {latex: 'y', name: y, means: a number}
   - {latex: 'L', name: L, positive: true, means: a length}
+  - {latex: 'f', name: f, role: quantity, of: 'x', means: a function}
 tables:
   - id: tab:2
     file: table-2.csv
@@ -61,7 +62,7 @@ claims:
   - {id: 'eq:9', kind: identity, line: 5, says: nonsense, latex: '3 x'}
   - {id: 'eq:10', kind: identity, line: 6, says: beyond us, latex: 'x'}
   - {id: 'eq:11', kind: identity, line: 7, says: the number y, latex: 'y'}
-  - id: eq:13
+  - id: eq:16
     kind: identity
     line: 8
     says: a model
@@ -78,6 +79,20 @@ claims:
     says: signs agree
     latex: 'x y > 0'
     asserts: {form: equivalent}
+  - id: eq:15
+    kind: relation
+    line: 14
+    says: one sign is known
+    latex: 'x y > 0'
+    assumes: 'y > 30^\circ'
+    asserts: {form: equivalent}
+  - id: sec:1/acute
+    kind: relation
+    line: 15
+    says: an acute triangle
+    latex: '\{210^\circ, 270^\circ, 330^\circ\}'
+    assumes: '0 < x < 90^\circ'
+    asserts: {form: instance}
   - id: sec:1/angles
     kind: relation
     line: 15
@@ -107,6 +122,8 @@ claims:
     says: name of the frame
     printed: '\Omega'
     agrees_with: sec:3/frame
+  - {id: 'eq:13', kind: identity, line: 13, says: a value, latex: 'f(2y)'}
+  - {id: 'eq:14', kind: identity, line: 14, says: the function, latex: 'f(y)'}
   - {id: 'sec:2/symbol', kind: consistency, line: 21, says: x, printed: x, agrees_with: 'eq:1'}
   - {id: 'sec:2/other', kind: consistency, line: 22, says: y, printed: y, agrees_with: 'eq:1'}
   - id: sec:2/lever
@@ -171,6 +188,7 @@ def write(folder: Path) -> Path:
 def registry() -> Registry:
     """Return the derivations of the paper."""
     tiny = Registry("tiny-paper")
+    tiny.quantities["f"] = lambda: sin(x)
     tiny.conventions["app:A/lever"] = Convention(SHORT, (LONG,))
     for claim, value in _identities().items():
         rests_on = ["eq:6[2,3]"] if claim == "eq:11" else []
@@ -196,9 +214,11 @@ def _identities() -> dict[str, Any]:
         "eq:9": sin(x) * cos(y),
         "eq:10": gamma(x),
         "eq:11": y,
-        "eq:13": Modelled(
+        "eq:16": Modelled(
             ImmutableMatrix([x * cos(y), y, x * cos(y)]), ImmutableMatrix([x, y, x]), "it rests"
         ),
+        "eq:13": sin(2 * y),
+        "eq:14": sin(x),
     }
 
 
@@ -218,6 +238,8 @@ def _relations() -> dict[str, Relation]:
         "sec:1/modelled": Relation((x, y), correction="no", premises=(x + y, y + x)),
         "sec:1/neither": Relation((x, y), correction="no", premises=(x, 2 * y)),
         "eq:12": Relation(Or(And(x > 0, y > 0), And(x < 0, y < 0))),
+        "eq:15": Relation(x > 0),
+        "sec:1/acute": Relation((x, pi - x, 3 * pi / 2), correction="x = 210"),
         "sec:1/angles": Relation((t, pi - t, 3 * pi / 2)),
         "sec:1/best": Relation({"a": Integer(1), "b": Integer(2)}),
     }

@@ -3,14 +3,17 @@
 import csv
 import json
 from dataclasses import replace
+from mmap import PAGESIZE
 from pathlib import Path
+from resource import RUSAGE_SELF, getrusage
 
 import bench
 import pytest
+import rivals
 from bench import Row, compare, only_ours
 from elimination import direct, staged
 from questions import Question
-from rivals import SYSTEMS, Timed, timed
+from rivals import CAN_OWN, EASY, SYSTEMS, Timed, timed
 
 from omniproof.audit.answer import Domain, Proved, Refuted
 from omniproof.audit.zero_test import decide_equal
@@ -74,18 +77,39 @@ def fail(question: Question) -> str:
 
 
 @pytest.mark.parametrize(
-    ("system", "said"),
+    ("system", "time_out", "said"),
     [
-        pytest.param(hang, "time-out", id="a system that hangs is stopped"),
-        pytest.param(fail, "error: ValueError", id="a system that fails is no answer"),
+        pytest.param(hang, 0.5, "time-out", id="a system that hangs is stopped"),
+        pytest.param(fail, 60, "error: ValueError", id="a system that fails is no answer"),
     ],
 )
 def test_a_system_without_an_answer(
-    system: object, said: str, monkeypatch: pytest.MonkeyPatch
+    system: object, time_out: float, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(SYSTEMS, "strange", system)
     question = Question(((0, 0),), "=", Domain(), ())
-    assert timed("strange", question, time_out=0.5).said == said
+    assert timed("strange", question, time_out=time_out).said == said
+
+
+BLOCK = bytearray(16 * 2**20)
+
+
+def copies(question: Question) -> str:
+    """Count the copies that it takes to write to the parent's memory, once the clock runs."""
+    before = getrusage(RUSAGE_SELF).ru_minflt
+    if question is not EASY:
+        BLOCK[::PAGESIZE] = bytes(len(BLOCK) // PAGESIZE)
+    return str(getrusage(RUSAGE_SELF).ru_minflt - before)
+
+
+@pytest.mark.skipif(not CAN_OWN, reason="the system copies memory only when it is written to")
+def test_memory_is_copied_before_the_clock_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    BLOCK[:] = bytes(len(BLOCK))
+    monkeypatch.setitem(SYSTEMS, "copies", copies)
+    question = Question(((0, 0),), "=", Domain(), ())
+    owned = int(timed("copies", question).said)
+    monkeypatch.setattr(rivals, "own_memory", lambda: None)
+    assert owned < int(timed("copies", question).said) / 2
 
 
 def test_the_elimination_is_proved_in_stages() -> None:

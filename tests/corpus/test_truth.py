@@ -9,9 +9,10 @@ from collections.abc import Iterator
 
 import pytest
 from mpmath import mp, mpf
-from numerics import DIGITS, OutsideError, parsed, sides, value, with_definitions
+from numerics import holds, parsed, value, with_definitions
 
 from corpus import Record, load
+from omniproof.audit.digits import DIGITS, UndefinedError
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, names
 
@@ -43,7 +44,7 @@ def points(record: Record) -> Iterator[dict[str, mpf]]:
             share = mpf(chance.randrange(1, 10**15)) / 10**15
             low, high = (mpf(0), mpf(5)) if name in positive else (mpf(-5), mpf(5))
             if name in ranges:
-                low, high = (value(parsed(end), {}) for end in ranges[name])
+                low, high = (value(end, {}) for end in ranges[name])
             point[name] = low + (high - low) * share
         yield point
 
@@ -55,12 +56,10 @@ def truths(record: Record) -> list[tuple[bool, bool]]:
         for point in points(record):
             values = with_definitions(record.where, point)
             try:
-                here = all(side.holds() for side in sides(parsed(record.latex), values))
-            except OutsideError:
+                here = holds(record.latex, values)
+            except UndefinedError:
                 continue
-            wanted = record.condition == "" or all(
-                side.holds() for side in sides(parsed(record.condition), values)
-            )
+            wanted = record.condition == "" or holds(record.condition, values)
             found.append((here, wanted))
     return found
 

@@ -31,9 +31,9 @@ from sympy import (
     symbols,
 )
 
-from omniproof.transcription.expression import evaluate, names
+from omniproof.transcription.expression import Function, evaluate, names
 from omniproof.transcription.reader import LatexError, read
-from omniproof.transcription.tree import Applied, Name
+from omniproof.transcription.tree import Applied
 
 a, b, c, x, theta = symbols("a b c x theta", real=True)
 u = ImmutableMatrix([1, 2, 2])
@@ -44,7 +44,7 @@ M = ImmutableMatrix([[1, 2], [3, 4]])
 MEANINGS: dict[str, Any] = {
     "a": a, "b": b, "c": c, "x": x, "\\theta": theta,
     "u": u, "v": v, "p": p, "q": q, "M": M,
-    "D_V": 8 / a, "f": lambda first, second: first - 2 * second,
+    "D_V": 8 / a,
 }  # fmt: skip
 
 VALUES = [
@@ -113,15 +113,49 @@ def test_the_printed_form_is_not_evaluated() -> None:
     assert tree == read("-a + a") != read("a - a")
 
 
-def test_arguments_of_a_quantity() -> None:
-    symbols_, quantities = ["a", "b"], ["D_V", "f"]
-    assert evaluate(read("D_V(b)", None, symbols_, quantities), MEANINGS) == 8 / a
-    assert evaluate(read("f(b, 3)", None, symbols_, quantities), MEANINGS) == b - 6
-    with pytest.raises(LatexError, match="`f` has no such arguments"):
-        evaluate(read("f(b)", None, symbols_, quantities), MEANINGS)
-    tree = read("D_V(b)", None, symbols_, quantities)
+FUNCTIONS = {
+    **MEANINGS,
+    "g": Function(ImmutableMatrix([a, b]), (a,)),
+    "h": Function(a / b, (a, b)),
+    "turn": lambda times, angle: int(times) * angle,
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        pytest.param("g(a)", ImmutableMatrix([a, b]), id="printed as it is defined"),
+        pytest.param("g", ImmutableMatrix([a, b]), id="without arguments, the same"),
+        pytest.param("g(x)", ImmutableMatrix([x, b]), id="another argument"),
+        pytest.param(r"g(30^\circ)", ImmutableMatrix([pi / 6, b]), id="a number"),
+        pytest.param("g(2a + 1)", ImmutableMatrix([2 * a + 1, b]), id="an expression"),
+        pytest.param("h(b, a)", b / a, id="arguments that change places"),
+        pytest.param("h(h(x, 2), 3)", x / 6, id="one inside another"),
+        pytest.param("turn(2, -a)", -2 * a, id="an operator is called"),
+        pytest.param("c(2a + 1)", c * (2 * a + 1), id="no function: a product"),
+    ],
+)
+def test_arguments_take_the_place_of_what_a_function_is_of(text: str, value: Any) -> None:
+    tree = read(text, None, [*"abcx", "turn"], ["g", "h", "turn"], ["g", "h"])
+    assert evaluate(tree, FUNCTIONS, text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "message", "cure"),
+    [
+        ("D_V(b)", "`D_V` has arguments, and is declared no function",
+         r"say of what `D_V` is a function: `of: ['\theta']` beside its `role`"),
+        ("g(a, b)", "expected 1 arguments of `g`", ""),
+        ("turn(a)", "`turn` has no such arguments", ""),
+        ("g(u)", "expected a number, found a vector of 3", ""),
+    ],
+)  # fmt: skip
+def test_arguments_that_are_refused(text: str, message: str, cure: str) -> None:
+    tree = read(text, None, ["a", "b", "u", "turn"], ["D_V", "g", "turn"], ["g"])
     assert isinstance(tree, Applied)
-    assert tree.arguments == (Name("b"),)
+    with pytest.raises(LatexError) as caught:
+        evaluate(tree, FUNCTIONS, text)
+    assert (caught.value.message, caught.value.cure) == (message, cure)
 
 
 REFUSED = [

@@ -12,16 +12,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sympy import ImmutableMatrix, MatrixBase, Rational, Symbol
+from sympy import Dummy, ImmutableMatrix, MatrixBase, Rational, Symbol, symbols
 
-from omniproof.transcription.expression import evaluate
+from omniproof.transcription.expression import Function, evaluate
 from omniproof.transcription.model import Notation
 from omniproof.transcription.reader import read, symbol_name
+from omniproof.transcription.tree import Applied, walk
 from omniproof.transcription.verbatim import sources_folder
 
 POINT = {
     r"\alpha_1": "2/7", r"\alpha_2": "1", r"\alpha_3": "9/4", r"\alpha_k": "5/9",
-    r"\theta": "3/8", r"\theta_1": "1/3", r"\theta_3": "8/7", "L": "3/2", "R": "4/7",
+    r"\theta": "3/8", r"\theta_1": "1/3", r"\theta_2": "6/5", r"\theta_3": "8/7", "L": "3/2", "R": "4/7",
     "V_x": "5/4", "V_y": "-2/3", r"\dot{\phi}": "7/9", "v_1": "1/5", "v_2": "-3/4", "v_3": "6/7",
     "v_k": "5/6", "v_k^T": "1/7", "v_k^R": "2/9", "A": "4/3", "B": "5/2", "C": "7/3", "V": "8/5",
     r"\det A": "11/9", "D_V": "13/4", "D_A": "5/3", r"\overline{OH}": "3/7",
@@ -237,7 +238,12 @@ def shape(value: Any) -> Any:
 @pytest.mark.parametrize(("text", "expected"), ARRANGEMENT)
 def test_omni_arrangement(text: str, expected: Any) -> None:
     tree = read(text, Notation(), DECLARED, ["D_V"])
-    value = evaluate(tree, MEANINGS, text)
+    functions = {
+        node.name: Function(MEANINGS[node.name], tuple(Dummy() for _ in node.arguments))
+        for node in walk(tree)
+        if isinstance(node, Applied)
+    }
+    value = evaluate(tree, MEANINGS | functions, text)
     assert shape(value) == shape(expected)
     assert flat(value) == pytest.approx(flat(expected), rel=1e-12, abs=1e-12)
 
@@ -267,8 +273,9 @@ def test_an_integral_within_an_integral() -> None:
 
 def test_a_function_that_the_paper_prints() -> None:
     text = r"\frac{1}{4} (L(1,1,0) - L(-1,1,0) - L(1,-1,0) \\ &\quad + L(-1,-1,0))"
-    quadratic = {"L": lambda x, y, z: 1 + 2 * x + 3 * y + 5 * z + 7 * x * y + 13 * x * x}
-    assert evaluate(read(text, None, [], ["L"]), quadratic, text) == 7
+    x, y, z = symbols("x y z")
+    quadratic = Function(1 + 2 * x + 3 * y + 5 * z + 7 * x * y + 13 * x * x, (x, y, z))
+    assert evaluate(read(text, None, [], ["L"]), {"L": quadratic}, text) == 7
 
 
 def test_rows_are_told_from_columns() -> None:

@@ -323,6 +323,14 @@ BAD = [
         f"{FILE}:13:22: symbols[L].name: expected each name once, found `L` again",
         "    the first one is on line 11", *ONE],
         id="two symbols of one name"),
+    pytest.param("role: quantity,", r"role: quantity, of: ['\alpha_1', '\alpha_2'],", [
+        f"{FILE}:12:64: symbols[D_V].of[2]: expected a variable among the symbols, "
+        r"found `\alpha_2`",
+        r"    did you mean `\alpha_1`?", *ONE],
+        id="a function of nothing that is declared"),
+    pytest.param("name: L,", "name: L, of: D_V,", [
+        f"{FILE}:11:31: symbols[L].of: `of` belongs to role quantity", *ONE],
+        id="a variable that is a function"),
     pytest.param("symbols:", "notation: {functions: {c: kos, se: sec}, slash: last}\nsymbols:", [
         f"{FILE}:9:49: notation.slash: expected first or all, found 'last'", *ONE],
         id="notation of the wrong shape"),

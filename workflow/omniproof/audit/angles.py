@@ -15,7 +15,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from functools import reduce
+from typing import Any, TypeAlias
 
 import sympy as sp
 
@@ -38,15 +39,21 @@ class Angle:
 
 def read_angle(argument: sp.Expr) -> Angle:
     """Split the argument of a trigonometric function into atoms and a multiple of pi."""
+    terms = [term.as_coeff_Mul() for term in sp.Add.make_args(argument)]
+    if not all(atom.is_Atom for _, atom in terms):  # else there is nothing to multiply out
+        terms = [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(argument))]
     multiples: dict[sp.Expr, Any] = {}
     turns = sp.Integer(0)
-    for term in sp.Add.make_args(sp.expand(argument)):
-        factor, atom = term.as_coeff_Mul()
+    for factor, atom in terms:
         if atom is sp.pi:
             turns += factor
         elif factor != 0:
             multiples[atom] = multiples.get(atom, sp.Integer(0)) + factor
     return Angle({atom: factor for atom, factor in multiples.items() if factor != 0}, turns)
+
+
+Point: TypeAlias = tuple[Polynomial, Polynomial, Polynomial]
+"""(C, S, D) with cos = C/D and sin = S/D; the later multiples of a point follow it in a list."""
 
 
 class CircleChart:
@@ -56,39 +63,43 @@ class CircleChart:
         self, ring: QuotientRing, constants: ConstantField, denominators: Mapping[sp.Expr, int]
     ) -> None:
         self.ring, self.constants, self.denominators = ring, constants, denominators
-        self.points: dict[sp.Expr, tuple[Polynomial, Polynomial, Polynomial]] = {}
+        self.multiples: dict[sp.Expr, list[Point]] = {}
         for place, atom in enumerate(denominators):
             cosine, sine = ring.generators[f"c{place}"], ring.generators[f"s{place}"]
             ring.relate(f"s{place}", sine**2 + cosine**2 - 1)
-            self.points[atom] = cosine, sine, ring.one
+            self.multiples[atom] = [(cosine, sine, ring.one)]
 
     @staticmethod
     def names(count: int) -> list[str]:
         """Name the generators of `count` atoms, the highest first."""
         return [f"s{place}" for place in range(count)] + [f"c{place}" for place in range(count)]
 
-    def cosine_sine(self, angle: Angle) -> tuple[Polynomial, Polynomial, Polynomial]:
+    def cosine_sine(self, angle: Angle) -> Point:
         """Return (C, S, D) with cos = C/D and sin = S/D, by de Moivre's formula."""
-        cosine = self.constants.cosine(angle.turns)
-        sine, denominator = self.constants.sine(angle.turns), self.ring.one
-        for atom, factor in angle.multiples.items():
-            count = int(factor * self.denominators[atom])
-            if abs(count) > LARGEST_MULTIPLE:
-                raise WorkLimitError(
-                    f"{count} times an angle is more than {LARGEST_MULTIPLE} times"
-                )
-            c, s, d = self.points[atom]
-            for _ in range(abs(count)):
-                cosine, sine = self._turn(cosine, sine, c, s if count > 0 else -s)
-            denominator = denominator * d ** abs(count)
-        return cosine, sine, denominator
+        parts = [
+            self._multiple(atom, int(factor * self.denominators[atom]))
+            for atom, factor in angle.multiples.items()
+        ]
+        if angle.turns or not parts:
+            cosine, sine = self.constants.cosine(angle.turns), self.constants.sine(angle.turns)
+            parts.append((cosine, sine, self.ring.one))
+        return reduce(self._turn, parts)
 
-    def _turn(
-        self, cosine: Polynomial, sine: Polynomial, c: Polynomial, s: Polynomial
-    ) -> tuple[Polynomial, Polynomial]:
-        """Add the angle of the point (c, s)."""
+    def _multiple(self, atom: sp.Expr, count: int) -> Point:
+        """Return the point of a multiple of atom / denominator."""
+        if abs(count) > LARGEST_MULTIPLE:
+            raise WorkLimitError(f"{count} times an angle is more than {LARGEST_MULTIPLE} times")
+        known = self.multiples[atom]
+        while len(known) < abs(count):
+            known.append(self._turn(known[-1], known[0]))
+        cosine, sine, denominator = known[abs(count) - 1]
+        return cosine, sine if count > 0 else -sine, denominator
+
+    def _turn(self, one: Point, other: Point) -> Point:
+        """Add the angles of two points."""
+        (cosine, sine, denominator), (c, s, d) = one, other
         times = self.ring.times
-        return times(cosine, c) - times(sine, s), times(cosine, s) + times(sine, c)
+        return times(cosine, c) - times(sine, s), times(cosine, s) + times(sine, c), denominator * d
 
 
 class TangentChart(CircleChart):
@@ -98,10 +109,10 @@ class TangentChart(CircleChart):
         self, ring: QuotientRing, constants: ConstantField, denominators: Mapping[sp.Expr, int]
     ) -> None:
         self.ring, self.constants, self.denominators = ring, constants, denominators
-        self.points = {}
+        self.multiples = {}
         for place, atom in enumerate(denominators):
             t = ring.generators[f"t{place}"]
-            self.points[atom] = 1 - t**2, 2 * t, 1 + t**2
+            self.multiples[atom] = [(1 - t**2, 2 * t, 1 + t**2)]
 
     @staticmethod
     def names(count: int) -> list[str]:

@@ -71,14 +71,16 @@ Answer = Proved | Refuted | OnBranch | Undecided
 
 @dataclass(frozen=True)
 class Domain:
-    """Open intervals of symbols, by symbol name; a symbol that is not named is any real number.
+    """Intervals of symbols, by symbol name; a symbol that is not named is any real number.
 
     End points are exact SymPy numbers (`pi/2`, not 1.57). `conditions` are SymPy inequalities
-    between the symbols that hold as well.
+    between the symbols that hold as well. `closed` tells for (lower, upper) which ends belong to an
+    interval; without it, none does.
     """
 
     intervals: Mapping[str, tuple[Any, Any]] = field(default_factory=dict)
     conditions: tuple[Any, ...] = ()
+    closed: Mapping[str, tuple[bool, bool]] = field(default_factory=dict)
 
 
 REALS = Domain()

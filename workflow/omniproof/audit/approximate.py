@@ -75,13 +75,13 @@ def _float(ball: Any) -> float:
     return float(ball.mid()) if ball.is_finite() else math.nan
 
 
-def evaluate(node: tree.Node, meaning: Callable[[str], Values]) -> Values:
-    """Evaluate a tree; `meaning` gives the values of a symbol by its canonical name.
+def evaluate(node: tree.Node, meaning: Callable[[tree.Symbolic], Values]) -> Values:
+    """Evaluate a tree; `meaning` gives the values of a symbol, with its arguments if it has any.
 
     Raises `ShapeError` for what is neither number nor vector nor matrix, or does not fit together.
     """
     if isinstance(node, tree.Name | tree.Applied):
-        return meaning(node.name)
+        return meaning(node)
     return combine(node, [evaluate(part, meaning) for part in tree.children(node)])
 
 

@@ -6,7 +6,7 @@ exact although pi/2 is no rational number.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeAlias
@@ -51,11 +51,15 @@ class Box:
         ends = [[evaluate(end) for end in side] for side in self.sides]
         return [(lower, upper - lower) for lower, upper in ends]
 
-    def contains(self, point: tuple[Any, ...]) -> bool:
-        """Decide whether an exact point lies inside."""
+    def contains(self, point: tuple[Any, ...], closed: Sequence[tuple[bool, bool]] = ()) -> bool:
+        """Decide whether an exact point lies inside, or on an end that is `closed`."""
+        belongs = closed or ((False, False),) * len(self.sides)
         return all(
-            sign(subtract(x, lower)) > 0 and sign(subtract(upper, x)) > 0
-            for x, (lower, upper) in zip(point, self.sides, strict=True)
+            sign(subtract(x, lower)) >= (not at_lower)
+            and sign(subtract(upper, x)) >= (not at_upper)
+            for x, (lower, upper), (at_lower, at_upper) in zip(
+                point, self.sides, belongs, strict=True
+            )
         )
 
     def rational_near(self, middle: list[Ball], closeness: float = 1e-3) -> tuple[fmpq, ...] | None:

@@ -16,14 +16,16 @@ from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.exact import subtract
 from omniproof.audit.intervals import Piece, condition_latex, in_degrees
 from omniproof.audit.quotient import OnBox
-from omniproof.audit.signs import sign_on
+from omniproof.audit.signs import OPEN, Closed, sign_on
 from omniproof.registry import Ordered
 
 ENGINE = ("flint",)
 
 
-def holds(chain: Ordered) -> Answer:
+def holds(chain: Ordered, closed: Closed = OPEN) -> Answer:
     """Decide whether each term is less than the next one at every point of the box.
+
+    Sides of the box are open, but for ends that are `closed`.
 
     With one variable, a chain that holds in parts is `OnBranch` with the exact set; the note gives
     the set where it fails. Never raises for a chain: what is not decided is `Undecided`.
@@ -31,29 +33,31 @@ def holds(chain: Ordered) -> Answer:
     if len(chain.terms) < 2:
         return Undecided("one term is compared with nothing")
     links = [
-        (sign_on(OnBox(subtract(right, left), chain.box), 1), left, right)
+        (sign_on(OnBox(subtract(right, left), chain.box), 1, closed=closed), left, right)
         for left, right in pairwise(chain.terms)
     ]
     if all(isinstance(answer, Proved) for answer, _, _ in links):
         return Proved(ENGINE)
     for answer, left, right in links:
-        if isinstance(answer, Refuted):
+        if isinstance(answer, Refuted) or (isinstance(answer, OnBranch) and len(chain.box) > 1):
             where = "never" if len(chain.box) == 1 else "not always"
             told = f"${sp.latex(left)} < {sp.latex(right)}$ holds {where}"
             return Refuted(ENGINE, answer.witness, told)
     for answer, _, _ in links:
         if isinstance(answer, Undecided):
             return answer
-    return _in_parts([answer for answer, _, _ in links if isinstance(answer, OnBranch)], chain)
+    parts = [answer for answer, _, _ in links if isinstance(answer, OnBranch)]
+    return _in_parts(parts, chain, closed)
 
 
-def _in_parts(answers: list[OnBranch], chain: Ordered) -> Answer:
+def _in_parts(answers: list[OnBranch], chain: Ordered, closed: Closed) -> Answer:
     ((symbol, (lower, upper)),) = chain.box.items()
+    left, right = closed.get(symbol, (False, False))
     kept = sp.Intersection(*(answer.relations[0].as_set() for answer in answers))
     if kept is sp.S.EmptySet:
         return Refuted(ENGINE, answers[0].witness, "its links hold nowhere together")
     poles = [end for end in _ends(kept) if not _defined(chain.terms, symbol, end)]
-    lost = sp.Interval.open(lower, upper) - kept - sp.FiniteSet(*poles)
+    lost = sp.Interval(lower, upper, not left, not right) - kept - sp.FiniteSet(*poles)
     pieces = tuple(_pieces(kept))
     note = f"it fails for {_written(symbol, lost)}"
     condition = condition_latex(symbol, pieces)

@@ -8,14 +8,16 @@ by our own reader and never evaluated as code.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import TYPE_CHECKING, assert_never
+from functools import partial
+from typing import TYPE_CHECKING, Any, assert_never
 
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
+from omniproof.audit.lost_roots import lost_roots
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.transcription import tree
@@ -83,7 +85,9 @@ def check(text: str, assumptions: Assumptions = Assumptions()) -> CheckResult:  
     try:
         node = assumptions.read(printed)
         setting = settle(printed, node, assumptions)
-        parts = links(node, lambda side: evaluate(side, setting.meanings, printed), printed)
+        value = partial(evaluate, meanings=setting.meanings, source=printed)
+        parts = links(node, value, printed)
+        setting = _where_defined(node, value, setting)
     except LatexError as error:
         return CheckResult(Finding.INVALID, _short(printed), message=_fault(error))
     except UnsupportedError as reason:
@@ -95,6 +99,15 @@ def check(text: str, assumptions: Assumptions = Assumptions()) -> CheckResult:  
     if result.verdict is not Finding.ERRATUM or any(part.operator != "=" for part in parts):
         return result
     return _mended(result, node, assumptions, setting)
+
+
+def _where_defined(node: tree.Node, value: Callable[[tree.Node], Any], setting: Setting) -> Setting:
+    conditions = lost_roots(node, value)
+    if not conditions:
+        return setting
+    from omniproof.audit.hypotheses import domain_of
+
+    return replace(setting, domain=domain_of(conditions, setting.domain))
 
 
 def _mended(

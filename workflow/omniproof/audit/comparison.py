@@ -8,8 +8,10 @@ one after x = a + t/(1 - t). Everything else is undecided, and says that a range
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from fractions import Fraction
+from itertools import compress, islice, product
 from math import lcm
 from typing import Any, TypeAlias
 
@@ -35,13 +37,20 @@ from omniproof.audit.balls import (
     rational_ball,
     sign_of,
 )
+from omniproof.audit.confirm_order import confirmed_order
 from omniproof.audit.exact import sign, subtract, vanishes
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
-from omniproof.audit.signs import guarded, sign_on
+from omniproof.audit.sign_chart import recognise
+from omniproof.audit.signs import guarded, not_on_faces, sign_on
+from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
 
 ENGINE = ("flint",)
 WANTED = {"<": -1, "\\leq": -1, ">": 1, "\\geq": 1}
+FAILS = {"<": ">=", "\\leq": ">", ">": "<=", "\\geq": "<", "\\neq": "=="}
+STEPS = 300_000
+"""More than a confirmation is given: here z3 is the only one left."""
+MOST_CANDIDATES = 30
 ADVICE = "no proof was found without a bounded range for each symbol"
 PROBES = 60
 Point: TypeAlias = Mapping[sp.Symbol, Any]
@@ -52,9 +61,9 @@ def compare(left: sp.Expr, operator: str, right: sp.Expr, domain: Domain = REALS
     r"""Decide whether `left operator right` holds at every point where both sides are defined.
 
     With one variable on a bounded range, what holds in parts is `OnBranch` with the exact set.
-    Never raises for formulas: what is not decided is `Undecided`.
+    What is not decided is `Undecided`. Raises `DisagreementError` when z3 contradicts the balls.
     """
-    return guarded(lambda: _Comparison(left, operator, right, domain).answer())
+    return guarded(lambda: _Comparison(left, operator, right, domain).confirmed())
 
 
 class _Comparison:
@@ -65,20 +74,44 @@ class _Comparison:
         self.symbols = sorted(self.difference.free_symbols, key=str)
         whole = (-sp.oo, sp.oo)
         self.box = {s: domain.intervals.get(s.name, whole) for s in self.symbols}
+        self.closed = {s: domain.closed.get(s.name, (False, False)) for s in self.symbols}
         self.bounded = all(sp.oo not in (-a, b) for a, b in self.box.values())
+
+    def confirmed(self) -> Answer:
+        return confirmed_order(self.answer(), [self.failure], self.region)
+
+    @property
+    def failure(self) -> tuple[sp.Expr, str]:
+        """What the difference is at a counterexample."""
+        return self.difference, FAILS[self.operator]
+
+    @property
+    def region(self) -> Region:
+        """Where z3 looks for one."""
+        return Region(self.box, self.closed, tuple(self.domain.conditions))
 
     def answer(self) -> Answer:
         if not self.symbols:
             return self.of_numbers()
         if self.operator == "\\neq":
             return self.unequal()
-        if self.bounded:
+        return self.bounded_order() if self.bounded else self.unbounded_order()
+
+    def bounded_order(self) -> Answer:
+        family = OnBox(self.difference, self.box)
+        wanted = WANTED[self.operator]
+        answer = sign_on(family, wanted, zero=self.may_vanish, closed=self.closed)
+        if not isinstance(answer, Undecided):
+            return self.with_sides(answer)
+        return self.refuted() or self.by_algebra() or answer
+
+    def unbounded_order(self) -> Answer:
+        answer = self.refuted() or (Proved(ENGINE) if self.is_evident() else self.on_the_line())
+        if isinstance(answer, Proved):
             family = OnBox(self.difference, self.box)
-            answer = sign_on(family, WANTED[self.operator], zero=self.may_vanish)
-            if not isinstance(answer, Undecided):
-                return self.with_sides(answer)
-            return self.refuted() or answer
-        return self.refuted() or (Proved(ENGINE) if self.is_evident() else self.on_the_line())
+            faces = not_on_faces(family, WANTED[self.operator], self.may_vanish, self.closed)
+            answer = answer if faces is None else self.with_sides(faces)
+        return self.by_algebra() or answer if isinstance(answer, Undecided) else answer
 
     def refuted(self) -> Refuted | None:
         wrong = self.counterexample()
@@ -118,6 +151,8 @@ class _Comparison:
 
     def is_inside(self, symbol: sp.Symbol, value: Any) -> bool:
         lower, upper = self.box[symbol]
+        if value in compress((lower, upper), self.closed[symbol]):
+            return True
         return bool(lower < value) and bool(value < upper)
 
     def witness(self, point: Point) -> Witness:
@@ -155,6 +190,27 @@ class _Comparison:
         value = place.subs(own, _closed_form(answer.witness.point[name]))
         return Refuted(ENGINE, self.witness({self.symbols[0]: value}))
 
+    def by_algebra(self) -> Answer | None:
+        """Ask z3 for a counterexample; a point counts only where it is confirmed exactly."""
+        found = find_point([self.failure], self.region, steps=STEPS)
+        if isinstance(found, Nowhere):
+            return Proved(("z3",))
+        if isinstance(found, Somewhere):
+            near = _points_near({symbol: found.point[symbol] for symbol in self.symbols})
+            for point in islice(near, MOST_CANDIDATES):
+                if self.is_counterexample(point):
+                    return Refuted((*ENGINE, "z3"), self.witness(point))
+        return None
+
+    def is_counterexample(self, point: Point) -> bool:
+        """Whether an exact point is in the domain, and the statement certainly false there."""
+        try:
+            inside = all(self.is_inside(symbol, value) for symbol, value in point.items())
+            met = all(condition.subs(point) == sp.true for condition in self.domain.conditions)
+            return inside and met and not self.holds_at(point)
+        except UnsupportedError:
+            return False
+
     def compact(self) -> tuple[OnBox | None, sp.Expr | None]:
         """Put the variable on a bounded interval; returns also what it is there."""
         (symbol,), (range_,) = self.symbols, self.box.values()
@@ -173,14 +229,16 @@ class _Comparison:
     def unequal(self) -> Answer:
         """Decide `a != b`: one sign throughout, or the zeros in closed form."""
         if not self.bounded:
-            return Undecided(ADVICE, ENGINE)
-        answers = [sign_on(OnBox(self.difference, self.box), wanted) for wanted in (1, -1)]
+            return self.by_algebra() or Undecided(ADVICE, ENGINE)
+        family = OnBox(self.difference, self.box)
+        answers = [sign_on(family, wanted, closed=self.closed) for wanted in (1, -1)]
         if any(isinstance(answer, Proved) for answer in answers):
             return Proved(ENGINE)
         (symbol, *others) = self.symbols
         parts = [answer for answer in answers if isinstance(answer, OnBranch)]
         if others or not parts:
-            return Undecided("the points where both sides agree were not found", ENGINE)
+            missed = Undecided("the points where both sides agree were not found", ENGINE)
+            return self.by_algebra() or missed
         zeros = sorted(self.zeros(symbol, parts), key=float)
         if not zeros:
             return Proved(ENGINE)
@@ -196,7 +254,7 @@ class _Comparison:
             for relation in part.relations
             for inequality in relation.atoms(Relational)
             for end in inequality.args
-            if not end.free_symbols and end not in self.box[symbol]
+            if not end.free_symbols and (end not in self.box[symbol] or self.is_inside(symbol, end))
         }
         return {end for end in ends if self.vanishes_at(symbol, end)}
 
@@ -205,6 +263,20 @@ class _Comparison:
             return vanishes(self.difference.subs(symbol, end))
         except UnsupportedError:
             return False
+
+
+def _points_near(point: Mapping[sp.Symbol, Fraction]) -> Iterator[Point]:
+    """Yield exact points: with coordinates in closed form first, then rational ones."""
+    choices = [[*_closed_forms(value), sp.Rational(value)] for value in point.values()]
+    return (dict(zip(point, values, strict=True)) for values in product(*choices))
+
+
+def _closed_forms(value: Fraction) -> Iterator[sp.Expr]:
+    """Yield multiples of pi, short rationals, and roots of them."""
+    yield from recognise(float(value))
+    if value != 0:
+        yield from (sp.sign(value) * sp.sqrt(square) for square in recognise(float(value) ** 2))
+    yield sp.Rational(value.limit_denominator(1000))
 
 
 def _compact(t: sp.Symbol, lower: Any, upper: Any) -> tuple[sp.Expr, tuple[Any, Any]]:

@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
-from sympy import MatrixBase, Symbol
+from sympy import Gt, Lt, MatrixBase, Symbol
 
 from omniproof.audit.answer import Domain
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
+from omniproof.audit.lost_roots import lost_roots
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
 from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
-from omniproof.transcription.expression import evaluate
+from omniproof.transcription.checking import known_names
+from omniproof.transcription.expression import Function, evaluate
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role
 from omniproof.transcription.model import Symbol as PrintedSymbol
 from omniproof.transcription.reader import Names, read_with
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, Name, Node, names
 
 
@@ -57,12 +60,7 @@ class Context:
     @cached_property
     def names(self) -> Names:
         """The declared symbols, for reading more LaTeX."""
-        quantities = {
-            printed
-            for printed, symbol in self.loaded.symbols.items()
-            if symbol.role is Role.QUANTITY
-        }
-        return Names(frozenset(self.loaded.symbols), frozenset(quantities))
+        return known_names(self.loaded.symbols)
 
     def value(self, text: str, claim: str) -> Any:
         """Read and evaluate a formula with the symbols of a claim; raises `LatexError`."""
@@ -71,6 +69,7 @@ class Context:
 
     def meaning(self, printed: str) -> Any:
         """What a printed symbol stands for, by canonical name; quantities are derived once."""
+        # Every edit that the repair tries asks for these values again.
         if printed not in self.known:
             symbol = self.loaded.symbols[printed]
             self.known[printed] = (
@@ -112,12 +111,13 @@ class Context:
         if claim not in self.lemmas:
             self.lemmas[claim] = self.derivation(claim).meanings()
         own = self.lemmas[claim]
-        return {
-            printed: own[name] if name in own else self.meaning(printed)
-            for printed in names(node)
-            if printed in self.loaded.symbols
-            for name in [self.loaded.symbols[printed].name]
-        }
+        found: dict[str, Any] = {}
+        for printed in names(node) & self.loaded.symbols.keys():
+            symbol = self.loaded.symbols[printed]
+            value = own[symbol.name] if symbol.name in own else self.meaning(printed)
+            variables = tuple(self.meaning(symbol_name(latex)) for latex in symbol.of)
+            found[printed] = Function(value, variables) if variables else value
+        return found
 
     def evaluate(self, claim: str, node: Node | None = None) -> Any:
         """Value of the printed form, or of one part of it; raises `LatexError`."""
@@ -129,17 +129,32 @@ class Context:
 
         Raises `LatexError` for what has no value, `UnsupportedError` for an empty domain.
         """
-        ranges = {
-            self.loaded.symbols[printed].name: (evaluate(ends[0], {}), evaluate(ends[1], {}))
-            for printed, ends in self.loaded.ranges.items()
-            if printed in self.loaded.symbols
-        }
-        stated = self.loaded.assumptions.get(claim, ())
-        values = [evaluate(node, self.meanings_at(claim, node)) for node in stated]
+        ranges = {symbol.name: ends for symbol, ends in self._ranges()}
+        # An empty range would make every claim on it true.
         for name, (lower, upper) in ranges.items():
             if sign(subtract(upper, lower)) <= 0:
                 raise UnsupportedError(f"no value of {name} is left")
-        return domain_of(values, Domain(ranges))
+        return domain_of([*self._stated(claim), *self._lost_roots(claim)], Domain(ranges))
+
+    def assumed(self, claim: str) -> list[Any]:
+        """Return the same as SymPy relations: `domain` does not tell closed ends from open ones."""
+        ranges = [part for x, (low, high) in self._ranges() for part in (Gt(x, low), Lt(x, high))]
+        return [*ranges, *self._stated(claim)]
+
+    def _ranges(self) -> Iterator[tuple[Symbol, tuple[Any, Any]]]:
+        for printed, (lower, upper) in self.loaded.ranges.items():
+            if printed in self.loaded.symbols:
+                symbol = self._symbol(self.loaded.symbols[printed])
+                yield symbol, (evaluate(lower, {}), evaluate(upper, {}))
+
+    def _stated(self, claim: str) -> list[Any]:
+        stated = self.loaded.assumptions.get(claim, ())
+        return [evaluate(node, self.meanings_at(claim, node)) for node in stated]
+
+    def _lost_roots(self, claim: str) -> tuple[Any, ...]:
+        if claim not in self.loaded.trees:
+            return ()
+        return lost_roots(self.loaded.trees[claim], partial(self.evaluate, claim))
 
     def sides(self, claim: str) -> tuple[Node, ...]:
         """Sides of a printed equation that its derivation is held against.

@@ -62,7 +62,7 @@ class DecimalFinding:
     `digits` shows the exact value to six significant digits; `relative_error` is
     (printed - exact) / |exact| to two digits, empty when the exact value is zero; `correction` is
     the decimal of the same length that should stand there (of two in a tie, the one further from
-    zero).
+    zero). `engines` are those that came to this class.
     """
 
     rounding: Rounding
@@ -70,6 +70,7 @@ class DecimalFinding:
     digits: str
     relative_error: str
     correction: str
+    engines: tuple[str, ...] = ENGINE
 
     @property
     def interval_text(self) -> str:
@@ -129,6 +130,7 @@ def compare_with(value: sp.Expr, bound: Fraction) -> int:
 def _rounded(value: sp.Expr, unit: Fraction) -> Fraction:
     """Round an exact number to a multiple of `unit`, ties away from zero."""
     middle = evaluate(value, precision=256).mid().fmpq()
+    # The midpoint of a ball proves nothing: its neighbours are asked as well.
     steps = round(Fraction(int(middle.p), int(middle.q)) / unit)
     for candidate in (steps - 1, steps, steps + 1):
         below = compare_with(value, (candidate - Fraction(1, 2)) * unit)
@@ -143,6 +145,7 @@ def _rounding(value: sp.Expr, decimal: Decimal) -> Rounding:
     side = compare_with(value, decimal.value)
     if side == 0:
         return Rounding.EXACT
+    # Away from the printed decimal: less than half a unit, exactly half, or more.
     beyond_half = side * compare_with(value, decimal.value + side * decimal.unit / 2)
     if beyond_half < 0:
         return Rounding.ROUNDED

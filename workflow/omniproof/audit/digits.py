@@ -2,7 +2,8 @@
 
 Nothing here rests on FLINT, on normal forms, on prime fields or on the floats of the repair; the
 reader alone is shared. So where an engine and these digits disagree about two formulas, it is the
-engine that is wrong. A value is a number, or an mpmath matrix.
+engine that is wrong. The corpus, the mutation study and the fuzzing are judged by them. A value is
+a number, or an mpmath matrix.
 """
 
 from __future__ import annotations
@@ -26,13 +27,13 @@ class UndefinedError(ArithmeticError):
     """A formula has no real value at a point, or its parts do not fit together."""
 
 
-def value(node: tree.Node, meaning: Callable[[str], Value]) -> Value:
-    """Evaluate a tree; `meaning` gives the value of a symbol by its canonical name.
+def value(node: tree.Node, meaning: Callable[[tree.Symbolic], Value]) -> Value:
+    """Evaluate a tree; `meaning` gives the value of a symbol, with its arguments if it has any.
 
     Raises `UndefinedError` where there is no real value.
     """
     if isinstance(node, tree.Name | tree.Applied):
-        return meaning(node.name)
+        return meaning(node)
     if type(node) not in _RULES:
         raise UndefinedError(f"{type(node).__name__} has no value")
     parts = [value(part, meaning) for part in tree.children(node)]
@@ -52,6 +53,7 @@ def known_value(known: Any, point: dict[Symbol, Rational]) -> Value:
 
 
 def _digits(expression: Any, point: dict[Symbol, Rational]) -> Value:
+    # SymPy gives up at `maxn` digits and returns the expression: that is no real value here.
     number = expression.evalf(DIGITS, subs=point, maxn=400)
     if not number.is_Float and not number.is_Rational:
         raise UndefinedError(f"no real value of {expression}")
@@ -109,6 +111,7 @@ def _dot(left: Value, right: Value) -> Value:
 def _cross(left: Value, right: Value) -> Value:
     if not (_is_column(left) and _is_column(right)):
         return _times(left, right)
+    # Vectors of the plane lie in z = 0.
     a, b = ([*item, mp.mpf(0)][:3] for item in (left, right))
     turns = ((1, 2), (2, 0), (0, 1))
     return mp.matrix([a[i] * b[k] - a[k] * b[i] for i, k in turns])

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, product
 
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import Token, tokenize
@@ -26,6 +26,7 @@ FUNCTIONS = {
     r"\cot": (r"\tan",),
 }
 WRAPPED = ("arctan", "sqrt")
+SIGNS = {"+", "-"}
 OPERAND_ENDS = {"number", "symbol"}
 OPENING = {"(", "[", "{", "=", "&", "\\\\", ",", "\\|", "\\langle"}
 CLOSING = {")", "]", "}", r"\}", "|", "'", r"\rangle", r"\circ"}
@@ -86,6 +87,7 @@ def edits(
     found = list(_Editor(text, words, kin).edits())
     if node is not None:
         found += _Regrouped(text, node, words).edits()
+    # Of two edits to one text the likelier one stays: it comes last, and the last entry wins.
     results = {edit.text: edit for edit in sorted(set(found), reverse=True) if edit.text != text}
     return sorted(results.values())
 
@@ -136,7 +138,7 @@ class _Editor:
 
     def edits(self) -> Iterator[Repair]:
         for place, token in self.free:
-            if token.text in {"+", "-"}:
+            if token.text in SIGNS:
                 yield from self.flip(place, token)
             elif token.text in FUNCTIONS:
                 for other in FUNCTIONS[token.text]:
@@ -153,6 +155,7 @@ class _Editor:
     def flip(self, place: int, token: Token) -> Iterator[Repair]:
         """Turn a sign between terms over; drop a leading one."""
         either = place > 0 and self.tokens[place - 1].text in EITHER
+        # After a bar that may open or close, a sign is tried as both.
         if either or _ends_operand(self.tokens, place):
             other = "-" if token.text == "+" else "+"
             yield self.edit(Edit.SIGN, token.span, other, f"{token.text} -> {other}")
@@ -188,12 +191,9 @@ class _Editor:
 
     def insert(self, place: int) -> Iterator[Repair]:
         """Put a minus before a term; put a factor before a term or the argument of a function."""
-        if any(first < place < last for first, last in self.symbols):
-            return
-        before, here = self.tokens[place - 1] if place else None, self.tokens[place]
-        opens = before is None or before.text in OPENING
-        signed = before is not None and (before.kind == "function" or before.text in {"+", "-"})
-        if not (opens or signed) or here.text in {"+", "-"}:
+        here, inside = self.tokens[place], any(a < place < b for a, b in self.symbols)
+        opens = place == 0 or self.tokens[place - 1].text in OPENING
+        if inside or here.text in SIGNS or not (opens or _awaits_operand(self.tokens[place - 1])):
             return
         span = here.span[0], here.span[0]
         if opens:
@@ -285,16 +285,18 @@ class _Regrouped:
 
     def lost_functions(self) -> Iterator[Repair]:
         """Put a sine or cosine after each term, of what stands in one already, or of its kin."""
-        inner = [self.shown(n.argument.span) for n in tree.walk(self.node)
-                 if isinstance(n, tree.Call) and isinstance(n.argument, tree.Name)]  # fmt: skip
-        angles = [_Word.read(text) for text in dict.fromkeys(inner)]
-        near = [word.latex for word in self.words if any(map(word.is_kin, angles))]
         sums = [node.terms for node in tree.walk(self.node) if isinstance(node, tree.Sum)]
-        for end in {term.span[1] for terms in (*sums, [self.node]) for term in terms}:
-            for name in (r"\sin", r"\cos"):
-                for angle in near:
-                    new = _join(name, f" {angle}")
-                    yield self.edit(Edit.PART, (end, end), f" {new}", f"insert {new}")
+        ends = {term.span[1] for terms in (*sums, [self.node]) for term in terms}
+        for end, name, angle in product(ends, (r"\sin", r"\cos"), self.angles()):
+            new = _join(name, f" {angle}")
+            yield self.edit(Edit.PART, (end, end), f" {new}", f"insert {new}")
+
+    def angles(self) -> list[str]:
+        """Symbols that are the argument of a function, and their kin."""
+        calls = [node for node in tree.walk(self.node) if isinstance(node, tree.Call)]
+        inner = [self.shown(c.argument.span) for c in calls if isinstance(c.argument, tree.Name)]
+        known = [_Word.read(text) for text in dict.fromkeys(inner)]
+        return [word.latex for word in self.words if any(map(word.is_kin, known))]
 
     def exchange(self, kind: Edit, left: tree.Node, right: tree.Node, description: str) -> Repair:
         """Let two parts change places."""
@@ -335,6 +337,11 @@ def _ends_operand(tokens: Sequence[Token], place: int) -> bool:
         return False
     before = tokens[place - 1]
     return before.kind in OPERAND_ENDS or before.text in CLOSING
+
+
+def _awaits_operand(token: Token) -> bool:
+    """Whether a term or an argument has to follow."""
+    return token.kind == "function" or token.text in SIGNS
 
 
 def _symbols(

@@ -16,12 +16,23 @@ import sympy as sp
 
 from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import exact_number
+from omniproof.audit.box import Box
 from omniproof.audit.exact import subtract, vanishes
 from omniproof.audit.ordering import digits
 from omniproof.audit.positivity import Negative, Open, Positive, prove_positive
-from omniproof.audit.quotient import Family, Quotient
+from omniproof.audit.quotient import Family, OnBox, Quotient
 from omniproof.audit.sign_chart import recognise
-from omniproof.audit.signs import concave, denominator_sign, guarded, sign_on
+from omniproof.audit.signs import (
+    OPEN,
+    Closed,
+    concave,
+    denominator_sign,
+    faces,
+    guarded,
+    of_number,
+    on_face,
+    sign_on,
+)
 
 __all__ = ["concave", "prove_extremum", "sign_on"]
 
@@ -31,22 +42,25 @@ DIRECTION = {"minimum": 1, "maximum": -1}
 Points = Sequence[tuple[Any, ...]]
 
 
-def prove_extremum(family: Family, candidates: Points, kind: str) -> Answer:
+def prove_extremum(family: Family, candidates: Points, kind: str, closed: Closed = OPEN) -> Answer:
     """Decide whether the global minimum or maximum is attained at the candidates, and only there.
 
-    `candidates` are exact points, coordinates in the order of the box; `kind` is "minimum" or
-    "maximum". A witness shows the candidates' value (printed) beside a better one (derived), or an
-    equal one at another point. Never raises for a family: what is not decided is `Undecided`.
+    Sides of the box are open, but for ends that are `closed`. `candidates` are exact points,
+    coordinates in the order of the box; `kind` is "minimum" or "maximum". A witness shows the
+    candidates' value (printed) beside a better one (derived), or an equal one at another point.
+    Never raises for a family: what is not decided is `Undecided`.
     """
-    return guarded(lambda: _extremum(Quotient.of(family), candidates, DIRECTION[kind]))
+    return guarded(lambda: _extremum(family, candidates, DIRECTION[kind], closed))
 
 
-def _extremum(function: Quotient, candidates: Points, direction: int) -> Answer:
+def _extremum(family: Family, candidates: Points, direction: int, closed: Closed) -> Answer:
+    function = Quotient.of(family)
+    ends = [closed.get(symbol, (False, False)) for symbol in family.box]
     candidates = [tuple(exact_number(x) for x in point) for point in candidates]
     best = function.at(candidates[0])
     for point in candidates:
         value = function.at(point)
-        if not function.box.contains(point):
+        if not function.box.contains(point, ends):
             witness = Witness(function.name(point), digits(value), "undefined")
             return Refuted(ENGINE, witness, "the point is not inside of the box")
         if not vanishes(subtract(value, best)):
@@ -60,26 +74,56 @@ def _extremum(function: Quotient, candidates: Points, direction: int) -> Answer:
     outcome = prove_positive(above, function.box, candidates)
     match outcome:
         case Positive():
-            return Proved(ENGINE)
+            return _not_on_faces(family, candidates, direction, closed) or Proved(ENGINE)
         case Negative():
             return _refuted(function, outcome.point, best)
         case Open():
-            return _not_proved(function, outcome, candidates, best)
+            return _not_proved(function, outcome, (candidates, ends), best)
         case _ as never:
             assert_never(never)
+
+
+def _not_on_faces(
+    family: Family, candidates: Points, direction: int, closed: Closed
+) -> Answer | None:
+    """Return why a point of a closed face is as good as the candidates; None where none is."""
+    place = dict(zip(family.box, candidates[0], strict=True))
+    best = family.expression.subs(place)
+    for at, rest in faces(family.box, closed):
+        value = family.expression.subs(at)
+        points = [dict(zip(family.box, point, strict=True)) for point in candidates]
+        own = [p for p in points if all(vanishes(subtract(p[s], end)) for s, end in at.items())]
+        inner = [tuple(p[s] for s in rest) for p in own]
+        inner = [point for point in inner if rest and Box.of(rest).contains(point)]
+        if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo) or (own and not rest):
+            continue
+        if inner:
+            answer = _extremum(OnBox(value, rest), inner, direction, OPEN)
+        else:
+            better = OnBox(direction * subtract(value, best), rest)
+            answer = sign_on(better, 1) if rest else of_number(better.expression, 1)
+        if not isinstance(answer, Proved):
+            return on_face(answer, at)
+    return None
 
 
 def _refuted(function: Quotient, point: tuple[Any, ...], best: sp.Expr) -> Refuted:
     return Refuted(ENGINE, Witness(function.name(point), digits(best), function.digits(point)))
 
 
-def _not_proved(function: Quotient, stuck: Open, candidates: Points, best: sp.Expr) -> Answer:
+def _not_proved(
+    function: Quotient,
+    stuck: Open,
+    known: tuple[Points, Sequence[tuple[bool, bool]]],
+    best: sp.Expr,
+) -> Answer:
     """Look for a further point with exactly the best value where the proof got stuck."""
+    candidates, ends = known
     for place in stuck.places:
         for point in product(*(recognise(x, 1e-5, 24) for x in place)):
             if point in candidates:
                 continue
-            if function.box.contains(point) and vanishes(subtract(function.at(point), best)):
+            if function.box.contains(point, ends) and vanishes(subtract(function.at(point), best)):
                 witness = Witness(function.name(point), digits(best), digits(best))
                 return Refuted(ENGINE, witness, "the same value is attained there")
     return Undecided(f"no proof that it is the extremum: {stuck.reason}", ENGINE)

@@ -1,11 +1,12 @@
 """What a claim states of its symbols, and which signs follow from it.
 
-Bounds of one symbol become open intervals: what is continuous and holds inside holds at the ends,
-too. Everything else (`a + b > c`, an order of angles) is kept as a condition: it restricts the
-points at which an engine looks, and it decides the sign of what follows from it. Signs are proved
-factor by factor, for each by the first way that works: it is a condition, or a sum of conditions;
-a function on a box; a function of one such sum, on the interval that the bounds give it; a sum of
-terms of one sign. No way means no sign, never a guess.
+Bounds of one symbol become intervals, and which ends belong to them is kept: an order is judged
+there, too. (Equality is not: what is continuous and holds inside holds at the ends.) Everything
+else (`a + b > c`, an order of angles) is kept as a condition: it restricts the points at which an
+engine looks, and it decides the sign of what follows from it. Signs are proved factor by factor,
+for each by the first way that works: it is a condition, or a sum of conditions; a function on a
+box; a function of one such sum, on the interval that the bounds give it; a sum of terms of one
+sign. No way means no sign, never a guess.
 """
 
 from __future__ import annotations
@@ -36,17 +37,27 @@ def domain_of(statements: Iterable[Any], base: Domain = REALS) -> Domain:
     Raises `UnsupportedError` for what is no inequality, or leaves a symbol no value.
     """
     intervals, conditions = dict(base.intervals), list(base.conditions)
+    closed = dict(base.closed)
     for relation in _inequalities(statements):
         bound = _bound(relation)
         if bound is None:
             conditions.append(relation)
             continue
         symbol, lower, upper = bound
-        old = intervals.get(symbol, REAL_LINE)
-        intervals[symbol] = sp.Max(old[0], lower), sp.Min(old[1], upper)
+        old, belongs = intervals.get(symbol, REAL_LINE), closed.get(symbol, (False, False))
+        new = sp.Max(old[0], lower), sp.Min(old[1], upper)
+        intervals[symbol] = new
+        own = isinstance(relation, sp.GreaterThan | sp.LessThan)
+        kept = [
+            (end != old[k] or belongs[k]) and (end != (lower, upper)[k] or own)
+            for k, end in enumerate(new)
+        ]
+        closed[symbol] = kept[0] and new[0].is_finite, kept[1] and new[1].is_finite
         if not intervals[symbol][0] < intervals[symbol][1]:
             raise UnsupportedError(f"no value of {symbol} is left")
-    return Domain(intervals, tuple(conditions))
+    return Domain(
+        intervals, tuple(conditions), {s: ends for s, ends in closed.items() if any(ends)}
+    )
 
 
 def _inequalities(statements: Iterable[Any]) -> Iterator[Relational]:
@@ -71,6 +82,16 @@ def _bound(relation: Relational) -> tuple[str, Any, Any] | None:
     if below.is_Symbol and not above.free_symbols:
         return below.name, -sp.oo, above
     return None
+
+
+def interior(domain: Domain) -> Domain:
+    """Return a domain without its edges; an equation that holds inside holds there by continuity.
+
+    Conditions that leave no interior leave no point to look at either, and so prove nothing.
+    """
+    strict = {sp.GreaterThan: sp.StrictGreaterThan, sp.LessThan: sp.StrictLessThan}
+    inside = (strict.get(type(each), type(each))(*each.args) for each in domain.conditions)
+    return Domain(domain.intervals, tuple(inside))
 
 
 def settle(form: NormalForm, expression: sp.Expr, domain: Domain) -> None:
@@ -199,6 +220,20 @@ def within(
         if sign(subtract(*reversed(sides[symbol]))) <= 0:
             raise UnsupportedError(f"no value of {symbol} is left")
     return sides
+
+
+def closed_ends(
+    box: Mapping[sp.Symbol, tuple[Any, Any]], domain: Domain
+) -> dict[sp.Symbol, tuple[bool, bool]]:
+    """Return which ends of a box are closed ends of the domain."""
+    closed = {}
+    for symbol, side in box.items():
+        own = domain.intervals.get(symbol.name, REAL_LINE)
+        belongs = domain.closed.get(symbol.name, (False, False))
+        ends = [belongs[k] and sign(subtract(side[k], own[k])) == 0 for k in (0, 1)]
+        if any(ends):
+            closed[symbol] = ends[0], ends[1]
+    return closed
 
 
 def with_box(domain: Domain, box: Mapping[sp.Symbol, tuple[Any, Any]]) -> Domain:

@@ -7,14 +7,17 @@ from dataclasses import replace
 
 from sympy import Expr, MatrixBase
 
+from omniproof.audit.angle_family import instance
 from omniproof.audit.answer import Answer, Proved, Refuted, Undecided
+from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
-from omniproof.audit.decimals import Rounding, classify
+from omniproof.audit.decimals import Rounding
 from omniproof.audit.fits import judge_fit
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
-from omniproof.audit.relations import equivalent, instance, judge, merge
+from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
+from omniproof.audit.sign_cases import equivalent
 from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind
@@ -59,7 +62,7 @@ def _judge_value(claim: Claim, context: Context) -> Row:
     value = context.derive(claim.id)
     if isinstance(value, Fit):
         return judge_fit(claim, value, context)
-    finding = classify(value, str(claim.printed))
+    finding = confirmed_class(value, str(claim.printed))
     row = start(claim, context)
     if isinstance(finding, Undecided):
         return answered(row, finding, context)
@@ -69,7 +72,7 @@ def _judge_value(claim: Claim, context: Context) -> Row:
             "verdict": verdict,
             "derived": context.spelling.latex(value),
             "interval": finding.interval_text,
-            "engines": "flint",
+            "engines": "+".join(finding.engines),
         }
     )
     if verdict is Verdict.VERIFIED:
@@ -106,6 +109,7 @@ def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
     if not (relation.condition or relation.correction):
         return _undecided(row, "false as it stands; its derivation does not say what holds instead")
     for obligation in relation.proof:
+        # The correction is ours: it is believed no more than what is printed, and proved as well.
         proof = judge(obligation)
         if not isinstance(proof, Proved):
             return _undecided(row, f"the {obligation.form} of its correction is not proved")
@@ -125,9 +129,11 @@ def _judge_form(claim: Claim, relation: Relation, context: Context) -> Answer:
     assert claim.asserts is not None
     form = claim.asserts.form
     if form is Form.EQUIVALENT:
-        return equivalent(context.evaluate(claim.id), relation.subject)
+        assumed = context.assumed(claim.id)
+        return equivalent(context.evaluate(claim.id), relation.subject, assumed)
     if form is Form.INSTANCE:
-        return instance(tuple(context.evaluate(claim.id)), relation.subject)
+        angles, assumed = tuple(context.evaluate(claim.id)), context.assumed(claim.id)
+        return instance(angles, relation.subject, context.domain(claim.id), assumed)
     at = tuple(_point(node, context) for node in context.loaded.points.get(claim.id, ()))
     subject = _printed_order(claim, relation.subject, context)
     if isinstance(subject, Undecided):
@@ -147,6 +153,7 @@ def _printed_order(claim: Claim, subject: Subject, context: Context) -> Subject:
         return Undecided("a chain is judged where it is printed with `<` alone, or with `>`")
     nodes = [links[0].left, *(link.right for link in links)]
     terms = tuple(context.evaluate(claim.id, node) for node in nodes)
+    # The engine proves ascending order, so that a descending chain is turned round.
     return replace(subject, terms=terms if signs == {"<"} else terms[::-1])
 
 
@@ -203,6 +210,7 @@ def _judge_reference(claim: Claim, context: Context) -> Row:
     found = _symbols_at(str(claim.target), context)
     wanted = symbol_name(claim.about) if claim.about else None
     row = start(claim, context).model_copy(update={"engines": "text"})
+    # Without a symbol to look for, a place that exists is all a program can tell.
     if wanted is None or wanted in found:
         row = row.model_copy(update={"verdict": Verdict.VERIFIED})
         return row if wanted else with_note(row, "there is such a place")

@@ -16,10 +16,11 @@ from omniproof.audit.context import Context
 from omniproof.audit.ledger import Repair as Grade
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair, repair_twice
+from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import Role
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Name, Node
+from omniproof.transcription.tree import Node, Symbolic
 
 at_points_once = lru_cache(maxsize=1_000)(at_points)
 
@@ -82,11 +83,11 @@ def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:
     def read(text: str) -> Node:
         return read_with(text, context.loaded.paper.notation, context.names)
 
-    def meaning(name: str) -> Values:
+    def meaning(node: Symbolic) -> Values:
         try:
-            return at_points_once(context.meanings_at(claim, Name(name))[name])
-        except (UnsupportedError, AttributeError):
-            raise KeyError(name) from None
+            return at_points_once(evaluate(node, context.meanings_at(claim, node)))
+        except (UnsupportedError, AttributeError, LatexError):
+            raise KeyError(node.name) from None
 
     try:
         values = at_points(target)

@@ -151,7 +151,9 @@ class _Test:
         signed = [sign_of_constant(c) * c for c in constants if sign_of_constant(c)]
         for constant in signed:
             parts.angles |= parts_of([constant]).angles
-        found = [*parts.roots, *non_negative, *parts.sums, *symbols, *signed, *parts.squares]
+        sums = [each for each in parts.sums if is_plainly_positive(each)]
+        squares = [power for power in parts.powers if power.exp.is_even]
+        found = [*parts.roots, *non_negative, *sums, *symbols, *signed, *squares]
         return list(dict.fromkeys(found))[:MOST_ELEMENTS]
 
     @cached_property

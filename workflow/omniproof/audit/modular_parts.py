@@ -85,8 +85,8 @@ class Parts:
     angles: dict[sp.Expr, Angle] = field(default_factory=dict)
     denominators: dict[sp.Expr, int] = field(default_factory=dict)
     roots: dict[Root, None] = field(default_factory=dict)
-    sums: dict[sp.Expr, None] = field(default_factory=dict)  # with terms that are not negative
-    squares: dict[sp.Expr, None] = field(default_factory=dict)  # even powers
+    sums: dict[sp.Expr, None] = field(default_factory=dict)
+    powers: dict[sp.Expr, None] = field(default_factory=dict)  # with integer exponents
     order: int = 4
 
 
@@ -116,10 +116,10 @@ def _visit(node: sp.Expr, found: Parts, seen: set[sp.Expr]) -> None:
     elif node.is_Add or node.is_Mul or (node.is_Pow and node.exp.is_Integer):
         for argument in node.args:
             _visit(argument, found, seen)
-        if node.is_Add and is_plainly_positive(node):
+        if node.is_Add:
             found.sums[node] = None
-        elif node.is_Pow and node.exp.is_even:
-            found.squares[node] = None
+        elif node.is_Pow:
+            found.powers[node] = None
     else:
         found.letters[node] = None
         if not (node.is_Symbol or node is sp.pi):
@@ -177,8 +177,10 @@ def radicand_primes(number: sp.Rational) -> dict[int, int]:
 def _angle(argument: sp.Expr, found: Parts) -> None:
     multiples: dict[sp.Expr, Fraction] = {}
     turns = Fraction(0)
-    for term in sp.Add.make_args(sp.expand(argument)):
-        factor, atom = term.as_coeff_Mul()
+    terms = [term.as_coeff_Mul() for term in sp.Add.make_args(argument)]
+    if not all(atom.is_Atom for _, atom in terms):
+        terms = [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(argument))]
+    for factor, atom in terms:
         ratio = Fraction(int(factor.p), int(factor.q))
         if atom is sp.pi:
             turns += ratio

@@ -67,30 +67,28 @@ class _Misprints:
     def all(self) -> Iterator[Mutant]:
         yield from self.before_terms(self.node)
         for node in self.places:
-            match node:
-                case tree.Sum(terms):
-                    yield from self.signs(terms)
-                case tree.Negative():
-                    yield self.put("sign", (node.span[0], node.span[0] + 1), "")
-                case tree.Name():
-                    yield from self.other_names(node)
-                case tree.Call(function) if function in OTHER_FUNCTION:
-                    end = node.span[0] + len(function) + 1
-                    yield self.put("function", (node.span[0], end), "\\" + OTHER_FUNCTION[function])
-                case tree.Product(factors):
-                    yield from (self.put("factor", factor.span, "") for factor in factors)
-                case tree.Number(printed) | tree.Degrees(printed):
-                    yield from self.constants(node.span[0], printed)
-                case tree.Power(base, exponent):
-                    yield from self.exponents((base.span[1], node.span[1]), exponent)
-                case tree.Quotient(left, right) | tree.Cross(left, right):
-                    yield self.exchange(left.span, right.span)
-                case tree.Tuple(items) | tree.Determinant(items):
-                    yield from (self.exchange(a.span, b.span) for a, b in pairwise(items))
-                case tree.MatrixLiteral(rows):
-                    pairs = (pair for row in rows for pair in pairwise(row))
-                    yield from (self.exchange(a.span, b.span) for a, b in pairs)
+            yield from self.changes(node)
+            yield from (self.exchange(a.span, b.span) for a, b in _neighbours(node))
         yield from (self.exchange(a.span, b.span) for a, b in pairwise(self.names))
+
+    def changes(self, node: tree.Node) -> Iterator[Mutant]:
+        """Change one node, or a part of it."""
+        match node:
+            case tree.Sum(terms):
+                yield from self.signs(terms)
+            case tree.Negative():
+                yield self.put("sign", (node.span[0], node.span[0] + 1), "")
+            case tree.Name():
+                yield from self.other_names(node)
+            case tree.Call(function) if function in OTHER_FUNCTION:
+                end = node.span[0] + len(function) + 1
+                yield self.put("function", (node.span[0], end), "\\" + OTHER_FUNCTION[function])
+            case tree.Product(factors):
+                yield from (self.put("factor", factor.span, "") for factor in factors)
+            case tree.Number(printed) | tree.Degrees(printed):
+                yield from self.constants(node.span[0], printed)
+            case tree.Power(base, exponent):
+                yield from self.exponents((base.span[1], node.span[1]), exponent)
 
     def signs(self, terms: Sequence[tree.Node]) -> Iterator[Mutant]:
         """Turn the sign between two terms over; let two terms change places."""
@@ -123,6 +121,7 @@ class _Misprints:
             return
         for other in self.symbols:
             same_letter = own.parts[0] == other.parts[0] and own.parts[1] and other.parts[1]
+            # A variable for a quantity would be no misprint, but another formula.
             alike = own.free is other.free and (own.free or _are_kin(own, other))
             if other != own and alike:
                 yield self.put("index" if same_letter else "symbol", node.span, other.latex)
@@ -165,11 +164,21 @@ def _are_kin(one: Spelled, other: Spelled) -> bool:
     return not index and not script and len(letter) == len(base) == 1
 
 
+def _neighbours(node: tree.Node) -> Iterator[tuple[tree.Node, tree.Node]]:
+    """Yield parts of a node that an author may have taken for each other."""
+    match node:
+        case tree.Quotient(left, right) | tree.Cross(left, right):
+            yield left, right
+        case tree.Tuple(items) | tree.Determinant(items):
+            yield from pairwise(items)
+        case tree.MatrixLiteral(rows):
+            yield from (pair for row in rows for pair in pairwise(row))
+
+
 def _visible(node: tree.Node, entries: bool) -> Iterator[tree.Node]:
-    """Walk a tree, but not into the arguments of a quantity, which only name it."""
+    """Walk a tree; `entries` says whether into matrices and vectors, too."""
     if not entries and isinstance(node, tree.MatrixLiteral | tree.Tuple):
         return
     yield node
-    if not isinstance(node, tree.Applied):
-        for child in tree.children(node):
-            yield from _visible(child, entries)
+    for child in tree.children(node):
+        yield from _visible(child, entries)

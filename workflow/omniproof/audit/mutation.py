@@ -27,11 +27,12 @@ from omniproof.audit.mending import mend
 from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
 from omniproof.audit.run import prepare_to_judge
 from omniproof.transcription.entries import entry_source
+from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import Claim, Kind, Role
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Name, Node
+from omniproof.transcription.tree import Node, Symbolic
 
 POINTS = 4
 PAPERS = Path("paper_data")
@@ -241,6 +242,7 @@ def fate(original: Original, mutant: Mutant, context: Context) -> Case:
         answer = None
     if answer is None:
         return Case(*case, Fate.REFUSED)
+    # A misprint that holds on a branch only is reported as conditional: it has not slipped through.
     flagged = isinstance(answer, Refuted | OnBranch)
     if judge.is_equal(mutant.text):
         equal = Fate.EQUIVALENT if isinstance(answer, Proved) else Fate.UNDECIDED
@@ -266,6 +268,7 @@ class _Judge:
         node = _read(text, self.context)
         pairs = [(self.at(node, seed), self.at(self.own, seed)) for seed in range(POINTS)]
         both = [(own, other) for own, other in pairs if own is not None and other is not None]
+        # Defined at no common point is no evidence of being equal.
         return bool(both) and all(are_equal(*pair) for pair in both)
 
     @cached_property
@@ -275,14 +278,15 @@ class _Judge:
     def at(self, node: Node, seed: int) -> Value:
         """Give the value at a point, `None` where there is none."""
         try:
-            return value(node, lambda name: self.meaning(name, seed))
+            return value(node, lambda symbol: self.meaning(symbol, seed))
         except UndefinedError:
             return None
 
-    def meaning(self, name: str, seed: int) -> Value:
-        known = self.context.meanings_at(self.original.claim, Name(name)).get(name)
-        if known is None:
-            raise UndefinedError(f"{name} has no meaning")
+    def meaning(self, symbol: Symbolic, seed: int) -> Value:
+        try:
+            known = evaluate(symbol, self.context.meanings_at(self.original.claim, symbol))
+        except LatexError:
+            raise UndefinedError(f"{symbol.name} has no meaning") from None
         return _known_value(known, seed)
 
 
@@ -300,6 +304,7 @@ def _known_value(known: Any, seed: int) -> Value:
 def _coordinate(symbol: Symbol, seed: int) -> Rational:
     """A rational number that is all a symbol's own, the same whenever it is asked for."""
     generator = random.Random(f"{symbol.name} {seed}")  # noqa: S311
+    # Far from 0 and from each other, and no plain fraction at which a misprint may hold by chance.
     number = Rational(generator.randint(100, 2_900), 1_000 + generator.randint(1, 99))
     return number if symbol.is_positive or generator.random() < 0.5 else -number
 

@@ -96,14 +96,14 @@ class NormalForm:
         return polynomial.subs(dict(signs))
 
 
-def normal_form(expression: sp.Expr) -> NormalForm:
-    """Bring a formula into normal form.
+def normal_form(expression: sp.Expr, subtracted: sp.Expr = sp.S.Zero) -> NormalForm:
+    """Bring a formula, or a difference of two, into normal form.
 
     Raises `UnsupportedError` for what is outside of the class; `WorkLimitError`, which is one, when
     it grows too large.
     """
-    found = survey([expression])
+    found = survey([expression, subtracted])
     converter, basis = build(found, TangentChart if found.trigonometric_radicals else CircleChart)
-    fraction = converter.convert(expression)
+    fraction = converter.ring.subtract(*map(converter.convert, (expression, subtracted)))
     reduced = Fraction(*(converter.ring.reduce(part) for part in fraction))
     return NormalForm(converter, basis, constants_of(converter, basis), reduced)

@@ -76,7 +76,9 @@ def _range(
     reached = [True, True]
     for symbol, piece in inputs.items():
         ends = [(piece.lower, piece.lower_closed), (piece.upper, piece.upper_closed)]
+        # A falling function is lowest at the upper end.
         (low[symbol], at_low), (high[symbol], at_high) = ends[:: slopes[symbol] or 1]
+        # An input on which nothing depends need not reach its end.
         if slopes[symbol]:
             reached = [reached[0] and at_low, reached[1] and at_high]
     return Piece(value.xreplace(low), value.xreplace(high), *reached)

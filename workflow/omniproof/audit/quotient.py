@@ -87,7 +87,9 @@ class Quotient:
         return {s.name: str(x) for s, x in zip(self.box.symbols, point, strict=True)}
 
     def digits(self, point: tuple[Any, ...]) -> str:
-        """Write the value at a rational point, to six significant digits."""
+        """Write the value at a rational or exact point, to six significant digits."""
+        if all(isinstance(x, sp.Basic) for x in point):
+            return format_ball(evaluate(self.at(point)), 6)
         place = dict(zip(self.box.symbols, point, strict=True))
         return format_ball(evaluate(self.value, place), 6)
 

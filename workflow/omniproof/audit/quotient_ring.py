@@ -70,9 +70,11 @@ class QuotientRing:
 
     def reduce(self, polynomial: Polynomial) -> Polynomial:
         """Return the normal form of a polynomial."""
+        degrees = polynomial.degrees()
         for relation in self.relations:
-            if polynomial.degrees()[relation.place] >= relation.degree:
+            if degrees[relation.place] >= relation.degree:
                 polynomial = polynomial % relation.polynomial
+                degrees = polynomial.degrees()
         if len(polynomial) > MOST_TERMS:
             raise WorkLimitError(f"the normal form grew beyond {MOST_TERMS} terms")
         return polynomial
@@ -103,6 +105,10 @@ class QuotientRing:
         common = b.gcd(d)
         b_rest, d_rest = b // common, d // common
         return Fraction(self.times(a, d_rest) + self.times(c, b_rest), self.times(b, d_rest))
+
+    def subtract(self, left: Fraction, right: Fraction) -> Fraction:
+        """Subtract fractions."""
+        return self.add(left, Fraction(-right.numerator, right.denominator))
 
     def multiply(self, left: Fraction, right: Fraction) -> Fraction:
         """Multiply fractions."""

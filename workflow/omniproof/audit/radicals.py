@@ -8,14 +8,18 @@ which would have to be multiplied out otherwise, never arise. A root of a produc
 to be positive; that is a *requirement* on the signs, and outside of it there is nothing to prove.
 
 Nested radicals go level by level: an argument that contains roots is factored in the ring of the
-level below. Its factors may depend on the roots there, so a form that is not zero proves nothing
-then; one that is zero always does.
+level below. As polynomials its factors are coprime, as numbers they may depend on each other: with
+c^2 = a^2 + b^2 - 2 a b cos x, the area of a triangle has (a + b + c)(a + b - c) = 2 a b (1 + cos x)
+under a root. So a factor that known ones complete to a product without roots is not new, but that
+product divided by them. Where other relations between roots remain, a form that is not zero proves
+nothing; one that is zero always does.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from itertools import combinations
 from typing import Any
 
 import sympy as sp
@@ -26,6 +30,9 @@ from omniproof.audit.constant_field import square_free_part
 from omniproof.audit.quotient_ring import Fraction, Polynomial, QuotientRing
 
 MOST_FACTORS = 24
+MOST_CONJUGATES = 3  # an element over two roots has three others
+MOST_MATES = 8
+MOST_TERMS_OF_MATES = 2_000
 
 SignOf = Callable[[Polynomial], int | None]
 
@@ -44,6 +51,15 @@ class Factored:
         odd = frozenset(place for place, exponent in self.exponents.items() if exponent % 2)
         return odd ^ self.flips
 
+    def times(self, other: Factored, power: int = 1) -> Factored:
+        """Multiply by a power of another product."""
+        exponents = dict(self.exponents)
+        for place, exponent in other.exponents.items():
+            exponents[place] = exponents.get(place, 0) + power * exponent
+        kept = {place: exponent for place, exponent in exponents.items() if exponent}
+        flips = other.flips if power % 2 else frozenset()
+        return Factored(self.unit * other.unit**power, kept, self.flips ^ flips)
+
 
 @dataclass(frozen=True)
 class Requirement:
@@ -58,10 +74,12 @@ class Basis:
     """Coprime irreducible factors in one ring, with the sign of each where it is known.
 
     `ring` has generators p_j and e_j for the factors of the levels below: the arguments of nested
-    radicals contain them.
+    radicals contain them. `independent` says that what has no root is zero as a function only if it
+    is zero in the ring, so that one may divide by it.
     """
 
     ring: QuotientRing
+    independent: bool = False
     sign_of: SignOf = lambda _: None
     factors: list[Polynomial] = field(default_factory=list)
     signs: list[int | None] = field(default_factory=list)
@@ -69,33 +87,20 @@ class Basis:
 
     def factor(self, fraction: Fraction) -> Factored:
         """Write a fraction in factors, and add those that are new."""
-        exponents: dict[int, int] = {}
-        flips: frozenset[int] = frozenset()
         unit, above = self._in_roots(fraction.numerator).factor()
         divisor, below = self._in_roots(fraction.denominator).factor()
+        result = Factored(unit / divisor, {})
         for direction, factors in ((1, above), (-1, below)):
             for polynomial, exponent in factors:
-                sign = self._place_of_sign(polynomial)
-                if sign is not None:
-                    flips ^= frozenset({sign} if exponent % 2 else ())
-                    continue
-                place = self._place(polynomial)
-                exponents[place] = exponents.get(place, 0) + direction * int(exponent)
-        kept = {place: exponent for place, exponent in exponents.items() if exponent}
-        return Factored(unit / divisor, kept, flips)
+                result = result.times(self._irreducible(polynomial), direction * int(exponent))
+        return result
 
     def factor_product(self, parts: Iterable[tuple[Fraction, int]]) -> Factored:
         """Factor powers of fractions one by one: over a number field, products hide factors."""
-        unit, flips = fmpq(1), frozenset[int]()
-        exponents: dict[int, int] = {}
+        result = Factored(fmpq(1), {})
         for fraction, power in parts:
-            factored = self.factor(fraction)
-            unit *= factored.unit**power
-            flips ^= factored.flips if power % 2 else frozenset()
-            for place, exponent in factored.exponents.items():
-                exponents[place] = exponents.get(place, 0) + power * exponent
-        kept = {place: exponent for place, exponent in exponents.items() if exponent}
-        return Factored(unit, kept, flips)
+            result = result.times(self.factor(fraction), power)
+        return result
 
     def require_positive(self, factored: Factored) -> None:
         """Note that a root of this is printed."""
@@ -153,6 +158,42 @@ class Basis:
             if has_root and sign and factor in generators:
                 generators[generators.index(factor)] = sign * self.ring.generators[name] ** 2
         return polynomial.compose(*generators)
+
+    def _irreducible(self, polynomial: Polynomial) -> Factored:
+        """Write an irreducible polynomial in factors: a sign, a known or a new one, or a quotient.
+
+        A quotient v/g by known factors g is sound for all choices of signs: v = f g is not zero
+        as a function, so that g vanishes on no open set.
+        """
+        sign = self._place_of_sign(polynomial)
+        if sign is not None:
+            return Factored(fmpq(1), {}, frozenset({sign}))
+        completed = None if polynomial in self.factors else self._without_roots(polynomial)
+        if completed is None:
+            return Factored(fmpq(1), {self._place(polynomial): 1})
+        product, mates = completed
+        result = self.factor(self.ring.whole(product))
+        return result.times(Factored(fmpq(1), dict.fromkeys(mates, 1)), -1)
+
+    def _without_roots(self, polynomial: Polynomial) -> tuple[Polynomial, tuple[int, ...]] | None:
+        """Find known factors, by place, whose product with a polynomial over roots has no root."""
+        if not self.independent or _is_plain(polynomial):
+            return None
+        mates = [k for k, known in enumerate(self.factors) if not _is_plain(known)][-MOST_MATES:]
+        for count in range(1, MOST_CONJUGATES + 1):
+            for places in combinations(mates, count):
+                product = self._completed(polynomial, places)
+                if product is not None:
+                    return product, places
+        return None
+
+    def _completed(self, polynomial: Polynomial, places: Iterable[int]) -> Polynomial | None:
+        """Multiply by factors; None where roots are left, or the product is zero or too long."""
+        for place in places:
+            if len(polynomial) * len(self.factors[place]) > MOST_TERMS_OF_MATES:
+                return None
+            polynomial = self.ring.times(polynomial, self.factors[place])
+        return polynomial if polynomial != 0 and _is_plain(polynomial) else None
 
     def _place_of_sign(self, polynomial: Polynomial) -> int | None:
         for place in range(len(self.factors)):
@@ -218,6 +259,18 @@ class Extension:
         if exponent < 0:
             return Fraction(sign, size)
         return self.ring.whole(self.ring.times(sign, size))
+
+
+def generators_of(polynomial: Polynomial) -> set[str]:
+    """Name the generators that a polynomial contains."""
+    names = polynomial.context().names()
+    degrees = zip(names, polynomial.degrees(), strict=True)
+    return {name for name, degree in degrees if degree}
+
+
+def _is_plain(polynomial: Polynomial) -> bool:
+    """Whether a polynomial has neither roots p_j, signs e_j nor nested constant roots w_j."""
+    return not any(name.startswith(("p", "e", "w")) for name in generators_of(polynomial))
 
 
 def _rational(value: Any) -> sp.Rational:

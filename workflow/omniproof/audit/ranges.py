@@ -76,6 +76,7 @@ def meet(left: Piece, right: Piece) -> Piece | None:
     """Return the common part of two intervals, None when there is none."""
     low, high = order(left.lower, right.lower), order(left.upper, right.upper)
     inner_low, inner_high = left if low >= 0 else right, left if high <= 0 else right
+    # Where two ends coincide, the point has to belong to both.
     lower_closed = left.lower_closed and right.lower_closed if not low else inner_low.lower_closed
     upper_closed = left.upper_closed and right.upper_closed if not high else inner_high.upper_closed
     length = order(inner_high.upper, inner_low.lower)
@@ -123,6 +124,7 @@ def add(left: Piece, right: Piece) -> Piece:
 
 def root(piece: Piece, power: sp.Rational) -> Piece | None:
     """Return {x >= 0 : x^power in the interval}, power not zero; None when there is none."""
+    # 0 has a root, but no inverse: with a negative power it is left out.
     part = meet(piece, replace(POSITIVE, lower_closed=bool(power > 0)))
     if part is None:
         return None

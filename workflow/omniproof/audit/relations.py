@@ -6,28 +6,32 @@ for branch and bound.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import pairwise
 from typing import Any
 
-from sympy import Expr, Integer, Symbol, latex, pi
-from sympy.core.relational import Relational
-from sympy.logic.boolalg import Boolean
+from sympy import Expr, Integer, latex
 
 from omniproof.audit import ordering
 from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.hypotheses import sign_under, with_box, within
+from omniproof.audit.hypotheses import closed_ends, sign_under, with_box, within
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
 ENGINES = {"flint": 0, "modular": 1, "z3": 2}
 """The order in which a row names the engines; others come after these."""
 
+Closed = Mapping[Any, tuple[bool, bool]]
+"""Whether lower and upper end belong to the range of a symbol."""
 _SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}
+_WRONG = {Form.POSITIVE: "<=", Form.NEGATIVE: ">=", Form.INCREASING: "<=", Form.DECREASING: ">="}
+"""What a value, or a difference of neighbours, is where the form does not hold."""
+_EXTREMA = {Form.MINIMUM: "<=", Form.MAXIMUM: ">="}
+_EXTREME = {Form.LARGEST: "<=", Form.SMALLEST: ">="}
+"""What the difference from the best value is where something else is as good."""
 
 
 def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
@@ -40,20 +44,24 @@ def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     form, subject = obligation.form, obligation.subject
     if isinstance(subject, Sequence) and form is Form.EQUAL:
         return all_equal(tuple(subject), domain)
-    if domain == REALS:
-        return _judge(obligation)
     try:
-        if isinstance(subject, Curve | Family | Ordered):
-            obligation = replace(
-                obligation, subject=replace(subject, box=within(subject.box, domain))
-            )
+        if isinstance(subject, Curve | Family | Ordered) and domain != REALS:
+            box = within(subject.box, domain)
+            obligation = replace(obligation, subject=replace(subject, box=box))
     except UnsupportedError as reason:
         return Undecided(str(reason))
+    answer = _judge_under(obligation, domain)
+    return _confirmed(answer, obligation, domain)
+
+
+def _judge_under(obligation: Obligation, domain: Domain) -> Answer:
+    """Judge on a box; what is false there may follow from a condition between symbols."""
+    form, subject = obligation.form, obligation.subject
     answer = _judge(obligation, domain)
     boxed = isinstance(subject, Family | Ordered) and domain.conditions
     if isinstance(answer, Proved | Undecided) or not boxed:
         return answer
-    if isinstance(subject, Family) and form in _SIGNS:
+    if isinstance(subject, Family) and form in _SIGNS and not closed_ends(subject.box, domain):
         sign = sign_under(subject.expression, with_box(domain, subject.box))
         if sign == _SIGNS[form]:
             return Proved(("flint",))
@@ -61,14 +69,65 @@ def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     return Undecided(f"it is not proved from {told}, and false without")
 
 
+def _confirmed(answer: Answer, obligation: Obligation, domain: Domain) -> Answer:
+    """Ask z3 for the point that would refute an order; what is open it may prove alone."""
+    is_open = isinstance(answer, Undecided)
+    on_box = isinstance(obligation.subject, Family | Ordered)
+    if is_open and not (on_box and obligation.form in {*_SIGNS, Form.CHAIN}):
+        return answer
+    failures = tuple(_failures(obligation))
+    if not failures:
+        return answer
+    from omniproof.audit.confirm_order import confirmed_order, decided_by_algebra
+    from omniproof.audit.smt_order import Region
+
+    ranges = getattr(obligation.subject, "box", {})
+    unique = obligation.at if obligation.form in _EXTREMA else ()
+    region = Region(ranges, closed_ends(ranges, domain), domain.conditions, unique)
+    if is_open:
+        return decided_by_algebra(failures, region) or answer
+    return confirmed_order(answer, failures, region)
+
+
+def _failures(obligation: Obligation) -> Iterator[tuple[Any, str]]:
+    """Yield signs of formulas of which each alone, at one point, refutes a statement on order."""
+    form, subject = obligation.form, obligation.subject
+    match subject:
+        case Family(expression=value):
+            yield from _failures_of_family(form, value, obligation)
+        case Ordered(terms=terms):
+            yield from ((right - left, "<=") for left, right in pairwise(terms))
+        case Mapping() if form in _EXTREME:
+            best = subject[str(obligation.member)]
+            others = (value for name, value in subject.items() if name != obligation.member)
+            yield from ((best - other, _EXTREME[form]) for other in others)
+        case Sequence() if form in _SIGNS:
+            yield from ((value, _WRONG[form]) for value in subject)
+        case Sequence() if form in _WRONG:
+            yield from ((right - left, _WRONG[form]) for left, right in pairwise(subject))
+
+
+def _failures_of_family(
+    form: Form, value: Any, obligation: Obligation
+) -> Iterator[tuple[Any, str]]:
+    symbols = tuple(obligation.subject.box)
+    if form in _EXTREMA:
+        best = value.subs(dict(zip(symbols, obligation.at[0], strict=True)))
+        yield value - best, _EXTREMA[form]
+    elif form is Form.CONCAVE:
+        yield value.diff(symbols[0], 2), ">"
+    elif form in _SIGNS:
+        yield value, _WRONG[form]
+
+
 def _judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     form, subject = obligation.form, obligation.subject
     if isinstance(subject, Family):
-        return _judge_family(form, subject, obligation.at)
+        return _judge_family(obligation, subject, closed_ends(subject.box, domain))
     if isinstance(subject, Curve):
         return _judge_curve(form, subject, domain)
     if isinstance(subject, Ordered) and form is Form.CHAIN:
-        return _chain(subject)
+        return _chain(subject, closed_ends(subject.box, domain))
     if isinstance(subject, Mapping):
         return _judge_member(form, subject, str(obligation.member))
     if isinstance(subject, Sequence):
@@ -95,14 +154,15 @@ def merge(*groups: Sequence[str]) -> tuple[str, ...]:
     return tuple(sorted(found, key=lambda name: ENGINES.get(name, len(ENGINES))))
 
 
-def _judge_family(form: Form, family: Family, at: tuple[tuple[Expr, ...], ...]) -> Answer:
+def _judge_family(obligation: Obligation, family: Family, closed: Closed) -> Answer:
     from omniproof.audit import extrema
 
+    form = obligation.form
     match form:
         case Form.MINIMUM | Form.MAXIMUM:
-            return extrema.prove_extremum(family, at, form)
+            return extrema.prove_extremum(family, obligation.at, form, closed)
         case Form.POSITIVE | Form.NEGATIVE:
-            return extrema.sign_on(family, _SIGNS[form])
+            return extrema.sign_on(family, _SIGNS[form], closed=closed)
         case Form.CONCAVE:
             return extrema.concave(family)
     return Undecided(f"the form {form} is not judged on a family")
@@ -121,10 +181,10 @@ def _judge_curve(form: Form, curve: Curve, domain: Domain) -> Answer:
     return judges[form](curve, domain)
 
 
-def _chain(chain: Ordered) -> Answer:
+def _chain(chain: Ordered, closed: Closed) -> Answer:
     from omniproof.audit.chains import holds
 
-    return holds(chain)
+    return holds(chain, closed)
 
 
 def _judge_member(form: Form, values: Mapping[str, Expr], member: str) -> Answer:
@@ -161,63 +221,3 @@ def _same_sign(values: tuple[Expr, ...], wanted: int) -> Answer:
         return Proved(("flint",))
     sign = "positive" if wanted > 0 else "negative"
     return Refuted(("flint",), Witness({}, sign, ordering.digits(wrong[0])))
-
-
-def equivalent(printed: Boolean, derived: Boolean) -> Answer:
-    """Decide whether two conditions on the signs of monomials hold in the same cases.
-
-    The sign of a monomial depends on the signs of its symbols only, so that -1, 0 and 1 for each
-    symbol (no 0 where the symbol is nonzero) are all the cases there are.
-    """
-    relations = printed.atoms(Relational) | derived.atoms(Relational)
-    if not all(_on_a_monomial(relation) for relation in relations):
-        return Undecided("a condition is not on the sign of a monomial")
-    symbols = sorted(printed.free_symbols | derived.free_symbols, key=str)
-    for case in product(*(_cases(symbol) for symbol in symbols)):
-        point = dict(zip(symbols, case, strict=True))
-        sides = bool(printed.subs(point)), bool(derived.subs(point))
-        if sides[0] != sides[1]:
-            shown = {str(symbol): str(value) for symbol, value in point.items()}
-            return Refuted(("signs",), Witness(shown, *(str(side).lower() for side in sides)))
-    return Proved(("signs",))
-
-
-def _cases(symbol: Symbol) -> tuple[int, ...]:
-    if symbol.is_positive:
-        return (1,)
-    return (-1, 1) if symbol.is_nonzero else (-1, 0, 1)
-
-
-def _on_a_monomial(relation: Relational) -> bool:
-    if relation.rhs != 0:
-        return False
-    factors = relation.lhs.as_ordered_factors()
-    return all(f.is_number or f.as_base_exp()[0].is_Symbol for f in factors)
-
-
-def instance(printed: Sequence[Expr], family: Sequence[Expr]) -> Answer:
-    """Decide whether the printed angles are a member of a one-parameter family of angles.
-
-    Order and full turns do not matter. Each member of the family is a rational-linear form in the
-    parameter; an entry that is matched with a parametric one fixes the parameter.
-    """
-    (parameter,) = set().union(*(member.free_symbols for member in family))
-    slope = [(k, m.coeff(parameter)) for k, m in enumerate(family) if m.has(parameter)]
-    k, factor = slope[0]
-    best = 0
-    for value in printed:
-        chosen = (value - family[k].subs(parameter, 0)) / factor
-        member = Counter(_reduced(m.subs(parameter, chosen)) for m in family)
-        best = max(best, (member & Counter(map(_reduced, printed))).total())
-    if best == len(printed) == len(family):
-        return Proved(("exact",))
-    shown = {f"angle_{i}": _degrees(entry) for i, entry in enumerate(printed, 1)}
-    return Refuted(("exact",), Witness(shown, f"{len(printed)} angles", f"{best} in one member"))
-
-
-def _reduced(angle: Expr) -> Expr:
-    return angle % (2 * pi)
-
-
-def _degrees(angle: Any) -> str:
-    return f"{angle * 180 / pi}°"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from omniproof.audit.answer import Proved
-from omniproof.audit.approximate import ShapeError, at_points, evaluate
+from omniproof.audit.approximate import ShapeError, Values, at_points, evaluate
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair
@@ -57,15 +57,19 @@ def _quick_look(
 
     There is none for what floats cannot evaluate, or not at any of the points.
     """
+
+    def meaning(node: tree.Symbolic) -> Values:
+        return points[node.name]
+
     try:
         points = {name: at_points(symbol) for name, symbol in meanings.items()}
-        gaps = evaluate(node, points.__getitem__)
+        gaps = evaluate(node, meaning)
     except (ShapeError, UnsupportedError):
         return None
     if not np.isfinite(gaps).any():
         return None
     target = np.where(np.isfinite(gaps), 0.0, np.nan)
-    return QuickLook(assumptions.read, points.__getitem__, target)
+    return QuickLook(assumptions.read, meaning, target)
 
 
 def _unlike(found: Sequence[Repair], assumptions: Assumptions) -> Iterator[Repair]:

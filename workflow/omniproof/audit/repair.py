@@ -41,13 +41,13 @@ Path = tuple[int, ...]
 class QuickLook:
     """What it takes to see a wrong repair without proof.
 
-    `read` gives the tree of a text (raises `LatexError`), `meaning` the values of a symbol (raises
-    `KeyError`), `target` those of the truth. `relatives` are symbols that only replace symbols like
-    them.
+    `read` gives the tree of a text (raises `LatexError`), `meaning` the values of a symbol with its
+    arguments (raises `KeyError`), `target` those of the truth. `relatives` are symbols that only
+    replace symbols like them.
     """
 
     read: Callable[[str], tree.Node]
-    meaning: Callable[[str], Values]
+    meaning: Callable[[tree.Symbolic], Values]
     target: Values
     relatives: tuple[str, ...] = ()
 
@@ -69,6 +69,7 @@ def repair(
         else:
             found = list(_Search(printed, vocabulary, quick).single())
     except ShapeError:
+        # No floats for the printed text itself: every edit is put to the proof instead.
         found = edits(printed, vocabulary)
     except LatexError:
         return ()
@@ -114,18 +115,18 @@ class _Search:
     def learn(self, path: Path, node: tree.Node) -> Values:
         """Evaluate the printed tree, and keep the values of every part."""
         if isinstance(node, tree.Name | tree.Applied):
-            values = self.meaning(node.name)
+            values = self.meaning(node)
         else:
             parts = enumerate(tree.children(node))
             values = combine(node, [self.learn((*path, k), part) for k, part in parts])
         self.known[path] = node, values
         return values
 
-    def meaning(self, name: str) -> Values:
+    def meaning(self, node: tree.Symbolic) -> Values:
         try:
-            return self.quick.meaning(name)
+            return self.quick.meaning(node)
         except KeyError:
-            raise ShapeError(f"no values of {name}") from None
+            raise ShapeError(f"no values of {node.name}") from None
 
     @cached_property
     def places(self) -> list[list[_Change]]:
@@ -138,6 +139,7 @@ class _Search:
             except (ShapeError, LatexError):
                 continue
             change = _Change(edit, path, node, values)
+            # Edits are stacked into one array later, so only values of one shape share a group.
             found[path, values.shape[-2:]].setdefault(node, change)
         return [list(group.values()) for group in found.values()]
 
@@ -165,8 +167,6 @@ class _Search:
     def over(self, parent: Path, replaced: dict[int, Values]) -> Values:
         """Evaluate a printed node with other values for some of its children."""
         node = self.known[parent][0]
-        if isinstance(node, tree.Applied):
-            raise ShapeError("a quantity is what it is, whatever its arguments")
         places = range(len(tree.children(node)))
         return combine(node, [self.part((*parent, k), replaced.get(k)) for k in places])
 
@@ -203,6 +203,7 @@ class _Search:
     ) -> Iterator[tuple[_Change, _Change]]:
         """Try all edits of one place with all of another."""
         one, other = first[0].path, second[0].path
+        # Above the fork both edits are in one subtree: they go on together from there.
         fork = next(k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b)
         left = np.stack([change.values for change in first])[:, None]
         right = np.stack([change.values for change in second])[None, :]
@@ -218,6 +219,7 @@ class _Search:
     def joined(self, one: _Change, other: _Change) -> tuple[tree.Node, Repair] | None:
         """Make both edits, where they leave each other alone and may be right together."""
         first, second = sorted((one.edit, other.edit), key=lambda edit: edit.span)
+        # One edit would be made on text that the other has replaced.
         if first.span[1] > second.span[0]:
             return None
         begin, end = first.span[0], second.span[1]
@@ -237,11 +239,15 @@ class _Search:
 
 
 def _difference(old: tree.Node, new: tree.Node) -> tuple[Path, tree.Node]:
-    """Find the smallest part in which two trees differ: its place, and the new part."""
+    """Find the smallest part in which two trees differ: its place, and the new part.
+
+    A quantity with its arguments is one part: its values are not made from theirs.
+    """
     path: Path = ()
-    while _label(old) == _label(new):
+    while _label(old) == _label(new) and not isinstance(old, tree.Applied):
         pairs = zip(tree.children(old), tree.children(new), strict=True)
         changed = [(k, one, other) for k, (one, other) in enumerate(pairs) if one != other]
+        # Several children differ: the whole node is what has changed.
         if len(changed) != 1:
             break
         place, old, new = changed[0]

@@ -17,11 +17,11 @@ from sympy import (
 from sympy.core.relational import Relational
 
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context
 from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
-from omniproof.audit.zero_test import decide_equal
 from omniproof.registry import Family
 from omniproof.transcription.model import Claim
 
@@ -102,6 +102,7 @@ def _interval(relations: Sequence[Relational]) -> OnBranch | None:
     expression = relations[0].lhs
     symbols = expression.free_symbols
     bare = expression.replace(lambda part: part.is_Function, lambda part: Integer(1))
+    # A symbol outside of a sine or cosine is no angle: a turn does not cover its values.
     if len(symbols) != 1 or bare.free_symbols:
         return None
     answer = sign_on(Family(expression, dict.fromkeys(symbols, (-pi, pi))), 1)
@@ -111,7 +112,7 @@ def _interval(relations: Sequence[Relational]) -> OnBranch | None:
 def _name(expression: Expr, context: Context) -> str:
     """Call an expression by what the paper calls it, where it is one of its long ones."""
     for known, latex in context.spelling.abbreviations.items():
-        if isinstance(decide_equal(expression, known), Proved):
+        if isinstance(confirmed_equal(expression, known, enough=1), Proved):
             return latex
     return context.spelling.latex(expression)
 

@@ -20,14 +20,15 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cmp_to_key, reduce
-from itertools import combinations
+from itertools import chain, combinations
 from typing import Any, TypeAlias
 
 import sympy as sp
 
 from omniproof.audit.answer import Undecided
 from omniproof.audit.balls import UnsupportedError
-from omniproof.audit.decimals import DecimalFinding, classify, solve_for
+from omniproof.audit.confirm_decimals import confirmed_class
+from omniproof.audit.decimals import DecimalFinding, solve_for
 from omniproof.audit.exact import sign
 from omniproof.audit.intervals import Piece
 from omniproof.audit.preimage import MOST_CELLS, SMALLEST
@@ -176,17 +177,20 @@ def combine(cells: Sequence[Cell], unknowns: Sequence[sp.Symbol]) -> Combined | 
     None when these are not independent (V and V^2), or when an unknown enters otherwise. If there
     are fewer combinations than unknowns, the cells tell the combinations and nothing more.
     """
-    forms = [_monomials(cell.value, unknowns) for cell in cells]
-    if any(form is None for form in forms):
-        return None
-    keys = list(dict.fromkeys(key for form in forms for key in form or () if any(key)))
-    if not keys or sp.Matrix(keys).rank() < len(keys):
+    found = [_monomials(cell.value, unknowns) for cell in cells]
+    forms = [form for form in found if form is not None]
+    keys = list(filter(any, dict.fromkeys(chain(*forms))))
+    if len(forms) < len(cells) or not keys or sp.Matrix(keys).rank() < len(keys):
         return None
     symbols = {key: sp.Symbol(f"k_{place}", real=True) for place, key in enumerate(keys, 1)}
-    meaning = {symbols[key]: sp.Mul(*map(sp.Pow, unknowns, key)) for key in keys}
-    values = (sp.Add(*(c * symbols.get(key, 1) for key, c in (f or {}).items())) for f in forms)
+    meaning = {symbol: sp.Mul(*map(sp.Pow, unknowns, key)) for key, symbol in symbols.items()}
+    values = (_linear(form, symbols) for form in forms)
     linear = (replace(cell, value=value) for cell, value in zip(cells, values, strict=True))
     return Combined(meaning, tuple(linear))
+
+
+def _linear(form: Mapping[Powers, sp.Expr], symbols: Mapping[Powers, sp.Symbol]) -> sp.Expr:
+    return sp.Add(*(slope * symbols.get(key, 1) for key, slope in form.items()))
 
 
 def check_setup(
@@ -208,7 +212,7 @@ def contradicting(checked: Iterable[Checked], reading: Reading) -> tuple[str, ..
 
 def _check(cell: Cell, setup: Mapping[sp.Symbol, sp.Expr]) -> Checked:
     value = cell.value.xreplace(dict(setup))
-    finding = classify(value, cell.printed)
+    finding = confirmed_class(value, cell.printed)
     if isinstance(finding, Undecided):
         raise UnsupportedError(f"{cell.name}: {finding.reason}")
     readings = (Reading.ROUNDED, Reading.TRUNCATED)
@@ -250,6 +254,7 @@ def _allowed(cell: Cell, unknown: sp.Symbol, domain: Piece) -> Allowed:
     shifted = scale(cell.interval, sp.S.One, -terms.get((0,), sp.S.Zero))
     if power == 1:
         return Allowed((cell.name,), _preimage(slope, shifted, domain))
+    # Even powers have two roots where the unknown may be negative.
     if order(domain.lower, sp.S.Zero) < 0:
         return Allowed((cell.name,), _enclosed(cell, unknown, domain), exact=False)
     positive = root(scale(shifted, 1 / slope), power)
@@ -270,6 +275,7 @@ def _enclosed(cell: Cell, unknown: sp.Symbol, domain: Piece) -> Pieces:
     found = solve_for(cell.value, unknown, (lower, upper), (domain.lower, domain.upper), DIGITS)
     if isinstance(found, Undecided):
         raise UnsupportedError(f"{cell.name}: {found.reason}")
+    # `solve_for` leaves cells of this size open: without room for them, emptiness is no proof.
     room = (domain.upper - domain.lower) * sp.Rational(MOST_CELLS * SMALLEST.p, SMALLEST.q)
     wide = (Piece(_widened(a, -1) - room, _widened(b, 1) + room, True, True) for a, b in found)
     return meet_all(tuple(wide), (domain,))
@@ -292,6 +298,7 @@ def _monomials(value: sp.Expr, unknowns: Sequence[sp.Symbol]) -> dict[Powers, sp
         powers = {
             base: power for base, power in product.as_powers_dict().items() if base not in (0, 1)
         }
+        # sin(V) or V^x: no sum of powers, and solved by enclosure instead.
         if not all(base in unknowns and power.is_Rational for base, power in powers.items()):
             return None
         key = tuple(powers.get(unknown, 0) for unknown in unknowns)
@@ -325,6 +332,7 @@ def _eliminate(strips: Sequence[_Strip], unknown: sp.Symbol) -> list[_Strip]:
     """Project the common part of strips along one unknown."""
     without = [strip for strip in strips if unknown not in strip.slopes]
     scaled = [_divided(strip, unknown) for strip in strips if unknown in strip.slopes]
+    # Fourier and Motzkin: what two strips say of the rest is left when the unknown cancels.
     return [*without, *(_difference(a, b) for a, b in combinations(scaled, 2))]
 
 
@@ -371,6 +379,7 @@ def _outermost(evidence: Sequence[Allowed]) -> tuple[str, ...]:
     least = min(evidence, key=cmp_to_key(_by_upper))
     above = replace(most.pieces[0], upper=sp.oo)
     below = replace(least.pieces[-1], lower=-sp.oo)
+    # Two cells that contradict each other tell a reader more than a list of all.
     if meet(above, below) is None:
         return tuple(dict.fromkeys((*most.names, *least.names)))
     return tuple(dict.fromkeys(name for line in evidence for name in line.names))

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 from itertools import combinations
 from math import gcd
 from typing import Any, TypeGuard
@@ -21,11 +21,11 @@ import sympy as sp
 from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.answer import Witness as Point
 from omniproof.audit.balls import UnsupportedError, WorkLimitError
+from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.exact import sign
 from omniproof.audit.hypotheses import sign_under
 from omniproof.audit.signs import guarded
 from omniproof.audit.survey import is_root
-from omniproof.audit.zero_test import decide_equal
 from omniproof.registry import Curve
 
 ENGINE = ("flint",)
@@ -104,15 +104,16 @@ class _Track:
         frame = self.frame()
         if isinstance(frame, Refuted):
             return frame
-        answer = self.in_plane(frame)
-        if not isinstance(answer, Proved):
-            return answer
+        plane = self.in_plane(frame)
+        if not isinstance(plane, Proved):
+            return plane
         centre = frame.centre()
         square = (frame.origin - centre).dot(frame.origin - centre)
         offset = self.place - centre
-        answer = decide_equal(square, offset.dot(offset), self.domain)
+        answer = confirmed_equal(square, offset.dot(offset), self.domain)
         told = "squared distances from the centre of the circle"
         answer = self.told(answer, f"{told} through {self.named(frame.at)}")
+        answer = _and_then(plane, answer)
         note = f"centre {_shown(centre)}, radius ${sp.latex(_root(square))}$"
         return self.proper(answer, frame.normal.dot(frame.normal), note)
 
@@ -120,24 +121,20 @@ class _Track:
         frame = self.frame()
         if isinstance(frame, Refuted):
             return frame
-        answer = self.in_plane(frame)
-        if not isinstance(answer, Proved):
-            return answer
+        plane = self.in_plane(frame)
+        if not isinstance(plane, Proved):
+            return plane
         conic = self.conic(frame)
-        a, b, c = conic
         answer = self.told(
-            decide_equal(sp.S.Zero, _conic_at(conic, *frame.coordinates(self.place)), self.domain),
+            confirmed_equal(0, _conic_at(conic, *frame.coordinates(self.place)), self.domain),
             f"left side of the conic through five points, among them {self.named(frame.at)}",
         )
         if not isinstance(answer, Proved):
             return answer
-        discriminant = _tidy(4 * a * c - b**2)
-        known = _sign(discriminant)
-        if known is None:
-            return Undecided(f"the sign of the discriminant {discriminant} is not known", ENGINE)
-        if known <= 0:
-            seen = Point({}, "4AC - B^2 > 0", sp.sstr(discriminant))
-            return Refuted(ENGINE, seen, "the conic through its points is no ellipse")
+        other = _other_conic(conic)
+        if other is not None:
+            return other
+        answer = _and_then(plane, answer)
         return self.proper(answer, frame.normal.dot(frame.normal), _axes(frame, conic))
 
     def conic(self, frame: _Frame) -> tuple[Any, Any, Any]:
@@ -168,17 +165,18 @@ class _Track:
     def in_plane(self, frame: _Frame) -> Answer:
         offset = (self.place - frame.origin).dot(frame.normal)
         return self.told(
-            decide_equal(sp.S.Zero, offset, self.domain),
+            confirmed_equal(0, offset, self.domain),
             f"distance from the plane through {self.named(frame.at)}, in some unit",
         )
 
     def all_zero(self, values: Vector, at: tuple[Any, ...], shape: str) -> Answer:
+        answers: list[Answer] = []
         for value in values:
-            answer = decide_equal(sp.S.Zero, value, self.domain)
-            if not isinstance(answer, Proved):
+            answers.append(confirmed_equal(0, value, self.domain))
+            if not isinstance(answers[-1], Proved):
                 told = f"cross product with the {shape} through {self.named(at)}"
-                return self.told(answer, told)
-        return Proved(ENGINE)
+                return self.told(answers[-1], told)
+        return reduce(_and_then, answers)
 
     def proper(self, answer: Answer, size: Any, note: str) -> Answer:
         """Add the note to a proof, and ask when the shape does not shrink to a segment or point."""
@@ -232,7 +230,7 @@ class _Track:
         return sp.S.One
 
     def vanishes(self, value: Any) -> bool:
-        return isinstance(decide_equal(value, sp.S.Zero, self.domain), Proved)
+        return isinstance(confirmed_equal(value, 0, self.domain, enough=1), Proved)
 
     def no_shape(self, found: str, wanted: str, points: list[tuple[Any, Vector]]) -> Refuted:
         at = [value for value, _ in points[:3]]
@@ -266,6 +264,26 @@ def _fractions() -> Iterator[Any]:
 def _conic_at(conic: tuple[Any, Any, Any], s: Any, r: Any) -> Any:
     a, b, c = conic
     return a * (s**2 - s) + b * s * r + c * (r**2 - r)
+
+
+def _other_conic(conic: tuple[Any, Any, Any]) -> Answer | None:
+    """Say what a conic is that is no ellipse, or may be none; `None` for an ellipse."""
+    a, b, c = conic
+    discriminant = _tidy(4 * a * c - b**2)
+    known = _sign(discriminant)
+    if known is None:
+        return Undecided(f"the sign of the discriminant {discriminant} is not known", ENGINE)
+    if known <= 0:
+        seen = Point({}, "4AC - B^2 > 0", sp.sstr(discriminant))
+        return Refuted(ENGINE, seen, "the conic through its points is no ellipse")
+    return None
+
+
+def _and_then(one: Answer, other: Answer) -> Answer:
+    """Two steps of one proof: who has proved both is named; any other answer stays as it is."""
+    if not (isinstance(one, Proved) and isinstance(other, Proved)):
+        return other
+    return Proved(tuple(name for name in one.engines if name in other.engines), other.note)
 
 
 def _axes(frame: _Frame, conic: tuple[Any, Any, Any]) -> str:

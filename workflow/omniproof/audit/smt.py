@@ -10,7 +10,7 @@ speed of the machine. z3 is imported when the first such formula comes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from math import lcm
@@ -19,8 +19,17 @@ from typing import Any, NamedTuple
 import sympy as sp
 
 STEPS = 100_000
+LAST_RESORT_MS = 10_000
+"""Steps do not count the arithmetic of large polynomials, so a clock stands behind them."""
 MOST_OPERATIONS, MOST_VARIABLES, LARGEST_MULTIPLE, LARGEST_POWER = 80, 9, 6, 8
 CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+
+SIGNS: tuple[tuple[str, Callable[[Any], Any]], ...] = (
+    ("is_nonnegative", lambda variable: variable >= 0),
+    ("is_nonpositive", lambda variable: variable <= 0),
+    ("is_nonzero", lambda variable: variable != 0),
+)
+"""What SymPy may assume of a symbol, and how z3 is told."""
 
 
 @dataclass(frozen=True)
@@ -45,11 +54,13 @@ class NoAnswer:
 SmtAnswer = Equal | Different | NoAnswer
 
 
-class _OutsideError(ValueError):
+class OutsideError(ValueError):
     """The formula is not a small rational one; its text says why."""
 
 
-class _Fraction(NamedTuple):
+class Fraction(NamedTuple):
+    """A quotient of two polynomials of z3."""
+
     above: Any
     below: Any
 
@@ -60,7 +71,7 @@ def differ_somewhere(printed: sp.Expr, derived: sp.Expr, steps: int = STEPS) -> 
     try:
         _refuse_large(printed, derived)
         return _Question(printed, derived).answer(steps)
-    except _OutsideError as reason:
+    except OutsideError as reason:
         return NoAnswer(str(reason))
 
 
@@ -77,11 +88,16 @@ def _context() -> Any:
 
 def _refuse_large(*sides: sp.Expr) -> None:
     if sum(side.count_ops() for side in sides) > MOST_OPERATIONS:
-        raise _OutsideError(f"it has more than {MOST_OPERATIONS} operations")
+        raise OutsideError(f"it has more than {MOST_OPERATIONS} operations")
 
 
-class _Question:
-    def __init__(self, *sides: sp.Expr) -> None:
+class Translation:
+    """Formulas as polynomials: numerators, denominators, and the conditions under which they hold.
+
+    Raises `OutsideError` for what is no small rational formula.
+    """
+
+    def __init__(self, *formulas: sp.Expr) -> None:
         import z3
 
         self.z3 = z3
@@ -90,36 +106,34 @@ class _Question:
         self.conditions: list[Any] = []
         self.numbers: dict[sp.Expr, Any] = {}
         self.circles: dict[sp.Expr, tuple[Any, Any]] = {}
-        self.points: dict[sp.Expr, tuple[_Fraction, _Fraction]] = {}
-        self.denominators = _denominators(sides)
-        self.left, self.right = map(self.fraction, sides)
-        if len(self.numbers) + 2 * len(self.circles) > MOST_VARIABLES:
-            raise _OutsideError(f"it has more than {MOST_VARIABLES} variables")
+        self.points: dict[sp.Expr, tuple[Fraction, Fraction]] = {}
+        self.denominators = _denominators(formulas)
 
-    def answer(self, steps: int) -> SmtAnswer:
-        """Ask for a model of: both sides defined, and different when multiplied out."""
-        left, right = self.left, self.right
+    @property
+    def is_mixed(self) -> bool:
+        """Whether a symbol is both angle and number: what z3 finds then may be no point."""
+        return bool(self.circles.keys() & self.numbers.keys())
+
+    def refuse_many_variables(self) -> None:
+        """Raise `OutsideError` when there are too many variables for an answer."""
+        if len(self.numbers) + 2 * len(self.circles) > MOST_VARIABLES:
+            raise OutsideError(f"it has more than {MOST_VARIABLES} variables")
+
+    def check(self, steps: int, *conditions: Any) -> tuple[Any, Any]:
+        """Return z3's verdict on all conditions together, and its model if there is one."""
         solver = self.z3.Tactic("qfnra-nlsat", ctx=self.context).solver()
         solver.set("rlimit", steps)
-        solver.add(*self.conditions)
-        solver.add(*(side.below != 0 for side in (left, right) if side.below is not self.one))
-        solver.add(left.above * right.below != right.above * left.below)
+        solver.set("timeout", LAST_RESORT_MS)
+        solver.add(*self.conditions, *conditions)
         verdict = solver.check()
-        if verdict == self.z3.unsat:
-            return Equal()
-        if verdict != self.z3.sat:
-            return NoAnswer(f"no answer within {steps} steps")
-        if self.circles.keys() & self.numbers.keys():
-            return NoAnswer("a symbol is both angle and number: its point may not exist")
-        model = solver.model()
-        return Different({str(name): str(model[name]) for name in sorted(model, key=str)})
+        return verdict, solver.model() if verdict == self.z3.sat else None
 
-    def fraction(self, node: sp.Expr) -> _Fraction:
+    def fraction(self, node: sp.Expr) -> Fraction:
         """Translate a formula into numerator and denominator."""
         if node.is_Rational:
-            return _Fraction(self._number(node), self.one)
+            return Fraction(self._number(node), self.one)
         if node.is_Symbol:
-            return _Fraction(self._symbol(node), self.one)
+            return Fraction(self._symbol(node), self.one)
         if node.is_Add:
             return self._sum(node)
         if node.is_Mul:
@@ -128,7 +142,7 @@ class _Question:
             return self._power(node)
         if isinstance(node, CIRCULAR):
             return self._circular(node)
-        raise _OutsideError(f"{node} is no rational formula")
+        raise OutsideError(f"{node} is no rational formula")
 
     def _number(self, value: sp.Rational) -> Any:
         return self.z3.Q(int(value.p), int(value.q), ctx=self.context)
@@ -139,13 +153,10 @@ class _Question:
     def _symbol(self, symbol: sp.Symbol) -> Any:
         if symbol not in self.numbers:
             variable = self.numbers[symbol] = self._variable(f"{symbol.name} ({len(self.numbers)})")
-            if symbol.is_positive:
-                self.conditions.append(variable > 0)
-            elif symbol.is_nonzero:
-                self.conditions.append(variable != 0)
+            self.conditions += [says(variable) for name, says in SIGNS if getattr(symbol, name)]
         return self.numbers[symbol]
 
-    def _sum(self, node: sp.Expr) -> _Fraction:
+    def _sum(self, node: sp.Expr) -> Fraction:
         above, below = self.fraction(node.args[0])
         for part in map(self.fraction, node.args[1:]):
             if below is self.one and part.below is self.one:
@@ -153,29 +164,32 @@ class _Question:
             else:
                 above = above * part.below + part.above * below
                 below = self._times(below, part.below)
-        return _Fraction(above, below)
+        return Fraction(above, below)
 
-    def _product(self, *parts: _Fraction) -> _Fraction:
+    def _product(self, *parts: Fraction) -> Fraction:
         above = below = self.one
         for part in parts:
             above, below = self._times(above, part.above), self._times(below, part.below)
-        return _Fraction(above, below)
+        return Fraction(above, below)
 
     def _times(self, left: Any, right: Any) -> Any:
         if left is self.one:
             return right
         return left if right is self.one else left * right
 
-    def _power(self, node: sp.Expr) -> _Fraction:
+    def _power(self, node: sp.Expr) -> Fraction:
         if node.base.is_Rational and node.exp == sp.Rational(1, 2) and node.base > 0:
-            return _Fraction(self._root(node), self.one)
+            return Fraction(self._root(node), self.one)
         if not node.exp.is_Integer or abs(node.exp) > LARGEST_POWER:
-            raise _OutsideError(f"{node} is not a small integer power")
-        power = self._product(*[self.fraction(node.base)] * abs(int(node.exp)))
-        if node.exp > 0:
+            raise OutsideError(f"{node} is not a small integer power")
+        return self._integer_power(self.fraction(node.base), int(node.exp))
+
+    def _integer_power(self, base: Fraction, exponent: int) -> Fraction:
+        power = self._product(*[base] * abs(exponent))
+        if exponent > 0:
             return power
         self.conditions.append(power.below != 0)
-        return _Fraction(power.below, power.above)
+        return Fraction(power.below, power.above)
 
     def _root(self, node: sp.Expr) -> Any:
         if node not in self.numbers:
@@ -183,7 +197,7 @@ class _Question:
             self.conditions += [root * root == self._number(node.base), root > 0]
         return self.numbers[node]
 
-    def _circular(self, node: sp.Expr) -> _Fraction:
+    def _circular(self, node: sp.Expr) -> Fraction:
         cosine, sine = self._point(node.args[0])
         match node:
             case sp.cos():
@@ -195,43 +209,43 @@ class _Question:
             case sp.cot():
                 above, below = cosine, sine
             case sp.sec():
-                above, below = _Fraction(self.one, self.one), cosine
+                above, below = Fraction(self.one, self.one), cosine
             case _:
-                above, below = _Fraction(self.one, self.one), sine
-        return self._product(above, _Fraction(below.below, below.above))
+                above, below = Fraction(self.one, self.one), sine
+        return self._product(above, Fraction(below.below, below.above))
 
-    def _point(self, argument: sp.Expr) -> tuple[_Fraction, _Fraction]:
+    def _point(self, argument: sp.Expr) -> tuple[Fraction, Fraction]:
         """Return cosine and sine of an angle by addition, one atom after the other."""
         if argument in self.points:
             return self.points[argument]
-        cosine, sine = _Fraction(self.one, self.one), _Fraction(self._number(sp.S.Zero), self.one)
+        cosine, sine = Fraction(self.one, self.one), Fraction(self._number(sp.S.Zero), self.one)
         for term in sp.Add.make_args(sp.expand(argument)):
             cosine, sine = self._turned(cosine, sine, *self._of_term(term))
         self.points[argument] = cosine, sine
         return cosine, sine
 
-    def _of_term(self, term: sp.Expr) -> tuple[_Fraction, _Fraction]:
+    def _of_term(self, term: sp.Expr) -> tuple[Fraction, Fraction]:
         factor, atom = term.as_coeff_Mul()
         if atom is sp.pi:
             return self._constant(sp.cos(term)), self._constant(sp.sin(term))
         steps = int(factor * self.denominators[atom])
         if abs(steps) > LARGEST_MULTIPLE:
-            raise _OutsideError(f"{steps} times an angle is too often")
+            raise OutsideError(f"{steps} times an angle is too often")
         cosine, sine = self._circle(atom)
-        turn = _Fraction(cosine, self.one), _Fraction(sine if steps > 0 else -sine, self.one)
+        turn = Fraction(cosine, self.one), Fraction(sine if steps > 0 else -sine, self.one)
         total = turn
         for _ in range(abs(steps) - 1):
             total = self._turned(*total, *turn)
         return total
 
-    def _constant(self, value: sp.Expr) -> _Fraction:
+    def _constant(self, value: sp.Expr) -> Fraction:
         if value.has(*CIRCULAR):
-            raise _OutsideError(f"{value} is no expression in square roots")
+            raise OutsideError(f"{value} is no expression in square roots")
         return self.fraction(sp.expand(value))
 
     def _circle(self, atom: sp.Expr) -> tuple[Any, Any]:
         if not atom.is_Symbol:
-            raise _OutsideError(f"{atom} in an angle is no symbol")
+            raise OutsideError(f"{atom} in an angle is no symbol")
         if atom not in self.circles:
             name = f"{atom.name}/{self.denominators[atom]} ({len(self.circles)})"
             cosine, sine = self._variable(f"cos {name}"), self._variable(f"sin {name}")
@@ -240,13 +254,34 @@ class _Question:
         return self.circles[atom]
 
     def _turned(
-        self, cosine: _Fraction, sine: _Fraction, c: _Fraction, s: _Fraction
-    ) -> tuple[_Fraction, _Fraction]:
+        self, cosine: Fraction, sine: Fraction, c: Fraction, s: Fraction
+    ) -> tuple[Fraction, Fraction]:
         """Add two angles; their cosines and sines have no denominators."""
         return (
-            _Fraction(cosine.above * c.above - sine.above * s.above, self.one),
-            _Fraction(cosine.above * s.above + sine.above * c.above, self.one),
+            Fraction(cosine.above * c.above - sine.above * s.above, self.one),
+            Fraction(cosine.above * s.above + sine.above * c.above, self.one),
         )
+
+
+class _Question(Translation):
+    def __init__(self, *sides: sp.Expr) -> None:
+        super().__init__(*sides)
+        self.left, self.right = map(self.fraction, sides)
+        self.refuse_many_variables()
+
+    def answer(self, steps: int) -> SmtAnswer:
+        """Ask for a model of: both sides defined, and different when multiplied out."""
+        left, right = self.left, self.right
+        defined = [side.below != 0 for side in (left, right) if side.below is not self.one]
+        differ = left.above * right.below != right.above * left.below
+        verdict, model = self.check(steps, *defined, differ)
+        if verdict == self.z3.unsat:
+            return Equal()
+        if verdict != self.z3.sat:
+            return NoAnswer(f"no answer within {steps} steps")
+        if self.is_mixed:
+            return NoAnswer("a symbol is both angle and number: its point may not exist")
+        return Different({str(name): str(model[name]) for name in sorted(model, key=str)})
 
 
 def _denominators(sides: tuple[sp.Expr, ...]) -> dict[sp.Expr, int]:

@@ -36,6 +36,22 @@ class Survey:
     radicals: dict[sp.Expr, frozenset[sp.Expr]] = field(default_factory=dict)  # with inner ones
     trigonometric_radicals: bool = False
 
+    @property
+    def is_independent(self) -> bool:
+        """Whether the generators without roots are algebraically independent as functions.
+
+        Symbols and the sines and cosines of different monomials are (Ax, Annals of Mathematics 93,
+        1971); x, sin x and sin |x| are not, nor are x and x**(1/3).
+        """
+        plain = all(node.is_Symbol or node is sp.pi for node in self.symbols)
+        return plain and all(_is_monomial(atom) for atom in self.denominators)
+
+
+def _is_monomial(atom: sp.Expr) -> bool:
+    """Whether an angle is a product of integer powers of symbols, perhaps times pi."""
+    powers = [factor.as_base_exp() for factor in sp.Mul.make_args(atom) if factor is not sp.pi]
+    return bool(powers) and all(base.is_Symbol and count.is_Integer for base, count in powers)
+
 
 def survey(expressions: Iterable[sp.Expr]) -> Survey:
     """Collect the generators of expressions.
@@ -123,6 +139,8 @@ class _Surveyor:
     @staticmethod
     def refuse(node: Any) -> None:
         """Raise `UnsupportedError` for what is not an exact real quantity."""
+        if node.is_Symbol and node.is_commutative:
+            return
         if not isinstance(node, sp.Expr):
             raise UnsupportedError(f"{type(node).__name__} is not a formula")
         if node.has(sp.nan, sp.zoo, sp.oo, -sp.oo):

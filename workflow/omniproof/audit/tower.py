@@ -10,9 +10,17 @@ import sympy as sp
 from omniproof.audit.angles import CircleChart
 from omniproof.audit.conversion import Converter
 from omniproof.audit.quotient_ring import Fraction, Polynomial, QuotientRing
-from omniproof.audit.radicals import Basis, Extension, Factored, primes_under_roots
+from omniproof.audit.radicals import (
+    Basis,
+    Extension,
+    Factored,
+    generators_of,
+    primes_under_roots,
+)
 from omniproof.audit.separation import Constants
 from omniproof.audit.survey import Survey, argument_of
+
+MOST_TERMS_OF_NORM = 100
 
 
 def build(found: Survey, chart: type[CircleChart]) -> tuple[Converter, Basis]:
@@ -21,7 +29,7 @@ def build(found: Survey, chart: type[CircleChart]) -> tuple[Converter, Basis]:
     Raises `UnsupportedError` where no real point can exist, or too many factors arise.
     """
     converter = Converter(found, chart)
-    basis = Basis(converter.ring)
+    basis = Basis(converter.ring, found.is_independent)
     factored: dict[sp.Expr, Factored | None] = {}
     while len(factored) < len(found.radicals):
         basis.sign_of = partial(_definite_sign, converter, basis)
@@ -104,21 +112,39 @@ def constants_of(converter: Converter, basis: Basis) -> Constants:
     radicands = {}
     for place, factor in enumerate(basis.factors):
         name = f"p{place}"
-        if name in converter.ring.place and _generators(factor) <= names:
+        if name in converter.ring.place and generators_of(factor) <= names:
             radicands[name] = (basis.signs[place] or 1) * factor
             names.add(name)
     return converter.constants(radicands)
 
 
-def _generators(polynomial: Polynomial) -> set[str]:
-    """Name the generators that a polynomial contains."""
-    names = polynomial.context().names()
-    degrees = zip(names, polynomial.degrees(), strict=True)
-    return {name for name, degree in degrees if degree}
-
-
 def _definite_sign(converter: Converter, basis: Basis, factor: Polynomial) -> int | None:
-    """Return the sign of a factor where it is plain: squares and positive symbols, one sign."""
+    """Return the sign of a factor where it is plain, or where the larger part of A + B p has one.
+
+    The norm A^2 - B^2 p^2 tells which part is larger: sqrt(x^2 + y^2) - x has the norm -y^2.
+    """
+    plain = _sign_of_terms(converter, basis, factor)
+    roots = [int(name[1:]) for name in generators_of(factor) if name.startswith("p")]
+    if plain is not None or not roots or len(factor) > MOST_TERMS_OF_NORM:
+        return plain
+    root = f"p{max(roots)}"  # the outermost: its square has no root further out
+    rest, rate = _in_root(converter.ring, factor, root)
+    square = converter.ring.generators[root] ** 2
+    norm = converter.ring.reduce(rest**2 - rate**2 * square)
+    sign = _definite_sign(converter, basis, norm)
+    return None if sign is None else _definite_sign(converter, basis, rest if sign > 0 else rate)
+
+
+def _in_root(ring: QuotientRing, factor: Polynomial, root: str) -> tuple[Polynomial, Polynomial]:
+    """Return A and B of A + B p, of which p is a root."""
+    generator = ring.generators[root]
+    reduced = ring.reduce(factor)
+    rest = reduced.subs({root: 0})
+    return rest, (reduced - rest) / generator
+
+
+def _sign_of_terms(converter: Converter, basis: Basis, factor: Polynomial) -> int | None:
+    """Return the sign that all terms have: squares, positive symbols and roots are positive."""
     constants = constants_of(converter, basis)
     positive = {name for node, name in converter.symbols.items() if node.is_nonnegative}
     names = list(converter.ring.place)
@@ -128,4 +154,4 @@ def _definite_sign(converter: Converter, basis: Basis, factor: Polynomial) -> in
         if any(name not in positive and not name.startswith("p") for name in odd):
             return None
         signs.add(constants.sign(coefficient))
-    return signs.pop() if len(signs) == 1 else None
+    return signs.pop() if signs in ({1}, {-1}) else None

@@ -2,14 +2,16 @@
 
 The order is what makes it fast. Balls at a few rational points of the domain refute almost every
 false formula in a fraction of a millisecond, before polynomials could grow. What they cannot tell
-from zero goes to the normal form, which decides. Only where absolute values or roots make the truth
-depend on signs are the sign patterns looked at, and compared with the domain.
+from zero goes to the normal form, which decides, unless both sides are written alike. Only where
+absolute values or roots make the truth depend on signs are the sign patterns looked at, and
+compared with the domain.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 from flint import ctx
@@ -36,16 +38,17 @@ from omniproof.audit.balls import (
 )
 from omniproof.audit.branches import Condition, find_condition
 from omniproof.audit.exact import subtract
-from omniproof.audit.hypotheses import settle
+from omniproof.audit.hypotheses import interior, settle
 from omniproof.audit.normal_form import NormalForm, normal_form
 from omniproof.audit.quotient import OnBox
-from omniproof.audit.sampling import Sample, sample_points
+from omniproof.audit.sampling import REACH, Sample, by_name, sample_points
 from omniproof.audit.signs import sign_on
 from omniproof.audit.survey import is_root
 
 ENGINE = ("flint",)
 FIRST_LOOK, SECOND_LOOK, BRANCH_LOOK = 3, 60, 32
 LOW, HIGH = 128, 1_024
+FAR = (8, 80, 800)  # the first is more than a turn of the slowest angle
 UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo)
 
 
@@ -64,12 +67,16 @@ def decide(expression: sp.Expr, domain: Domain = REALS) -> Answer:
 def decide_equal(printed: sp.Expr, derived: sp.Expr, domain: Domain = REALS) -> Answer:
     """Decide whether two formulas agree wherever both are defined; a witness shows both values."""
     printed, derived = exact_number(printed), exact_number(derived)
+    answer = _guarded(printed, derived, domain)
+    return (isinstance(answer, Undecided) and _undefined(printed, derived)) or answer
+
+
+def _undefined(printed: sp.Expr, derived: sp.Expr) -> Answer | None:
+    """Answer where a side is undefined as it stands, which balls refuse."""
     undefined = [side.has(*UNDEFINED) for side in (printed, derived)]
     if all(undefined):
         return Undecided("both sides contain a division by zero or another undefined value")
-    if any(undefined):
-        return _one_side_undefined(printed, derived, undefined[0])
-    return _guarded(printed, derived, domain)
+    return _one_side_undefined(printed, derived, undefined[0]) if any(undefined) else None
 
 
 def _one_side_undefined(printed: sp.Expr, derived: sp.Expr, left: bool) -> Answer:
@@ -89,20 +96,19 @@ def _guarded(printed: sp.Expr, derived: sp.Expr, domain: Domain) -> Answer:
 
 @dataclass(frozen=True)
 class _Probe:
-    """A rational point, both sides there, and their difference; all enclosed."""
+    """A rational point, and both sides there, enclosed."""
 
     point: Sample
     printed: Ball
     derived: Ball
-    difference: Ball
 
     @property
     def defined(self) -> bool:
-        return bool(self.difference.is_finite())
+        return bool(self.printed.is_finite() and self.derived.is_finite())
 
     @property
     def differs(self) -> bool:
-        return self.defined and not self.difference.contains(0)
+        return self.defined and not self.printed.overlaps(self.derived)
 
     def witness(self) -> Witness:
         """Write the point and both values, with as many digits as it takes to see a difference."""
@@ -116,31 +122,38 @@ class _Probe:
 
 class _Question:
     def __init__(self, printed: sp.Expr, derived: sp.Expr, domain: Domain) -> None:
-        self.difference = subtract(printed, derived)
-        self.domain = domain
-        self.symbols = sorted(self.difference.free_symbols, key=str)
-        self.program: Program = compile_balls(
-            [printed, derived, self.difference], tuple(self.symbols)
-        )
+        self.printed, self.derived, self.domain = printed, derived, interior(domain)
+        self.identical = printed == derived
+        self.parts = _parts(printed, derived)
+        self.symbols = sorted((part for part in self.parts if part.is_Symbol), key=by_name)
+        self.program: Program = compile_balls([printed, derived], self.symbols)
+
+    @cached_property
+    def difference(self) -> sp.Expr:
+        """The formula whose parts a condition is written in; not needed where there is none."""
+        return subtract(self.printed, self.derived)
 
     def answer(self) -> Answer:
-        if any(_may_branch(node) for node in sp.preorder_traversal(self.difference)):
+        """Decide; sides written alike are equal wherever they are defined, if that is anywhere."""
+        # One point where both are defined tells almost all false formulas; the rest take algebra.
+        if not self.identical and any(map(_may_branch, self.parts)):
             return self.answer_with_branches()
-        differing = next((p for p in self.probes(FIRST_LOOK) if p.differs), None)
-        if differing is None and normal_form(self.difference).is_zero:
-            return self.proved(list(self.probes(FIRST_LOOK)))
-        again = self.probes(SECOND_LOOK, HIGH)
-        differing = differing or next((probe for probe in again if probe.differs), None)
-        if differing is None:
+        probe = next((probe for probe in self.probes(FIRST_LOOK) if probe.defined), None)
+        if probe is None or not probe.differs:
+            if self.identical or normal_form(self.printed, self.derived).is_zero:
+                return self.proved([probe] if probe else [])
+            again = self.probes(SECOND_LOOK, HIGH)
+            probe = next((probe for probe in again if probe.differs), None)
+        if probe is None:
             return Undecided("it is no identity, but no point shows a difference", ENGINE)
-        return Refuted(ENGINE, differing.witness())
+        return Refuted(ENGINE, probe.witness())
 
     def answer_with_branches(self) -> Answer:
         probes = [probe for probe in self.probes(BRANCH_LOOK) if probe.defined]
         differing = [probe for probe in probes if probe.differs]
         if probes and len(differing) == len(probes):
             return Refuted(ENGINE, differing[0].witness())
-        form = normal_form(self.difference)
+        form = normal_form(self.printed, self.derived)
         settle(form, self.difference, self.domain)
         if form.is_zero or all(true for _, true in form.patterns()):
             if differing:
@@ -150,10 +163,10 @@ class _Question:
 
     def on_branch(self, form: NormalForm, probes: list[_Probe]) -> Answer:
         """Answer where the truth depends on signs, that the domain may or may not settle."""
-        condition = find_condition(form, self.difference)
-        if condition is not None:
-            parts = (part for part in condition.parts if not self.is_positive(part))
-            condition = Condition(tuple(parts), condition.strict)
+        condition = self.condition(form)
+        settled = condition is not None and not condition.parts
+        if not settled and not any(probe.differs for probe in probes):
+            probes = [*probes, *self.far_probes(form)]
         differing = [probe for probe in probes if probe.differs]
         if not differing:
             return self.without_counterexample(condition)
@@ -161,6 +174,27 @@ class _Question:
         if condition is None or not self.is_exact(condition, probes):
             return Refuted(ENGINE, witness, "it holds in a part of the domain")
         return OnBranch(ENGINE, condition.latex, witness, relations=condition.relations)
+
+    def condition(self, form: NormalForm) -> Condition | None:
+        """Find the condition, without the parts of it that the domain settles."""
+        condition = find_condition(form, self.difference)
+        if condition is None:
+            return None
+        parts = (part for part in condition.parts if not self.is_positive(part))
+        return Condition(tuple(parts), condition.strict)
+
+    def far_probes(self, form: NormalForm) -> list[_Probe]:
+        """Look further and further out for a difference: cos(x/2) is positive within half a turn.
+
+        Not everywhere, as a witness near zero is easier to check.
+        """
+        slowest = max(form.converter.found.denominators.values(), default=1)
+        probes: list[_Probe] = []
+        for reach in FAR:
+            probes = [p for p in self.probes(BRANCH_LOOK, reach=reach * slowest) if p.defined]
+            if any(probe.differs for probe in probes):
+                break
+        return probes
 
     @staticmethod
     def without_counterexample(condition: Condition | None) -> Answer:
@@ -207,15 +241,25 @@ class _Question:
             return Proved(ENGINE)
         return Undecided("no point of the domain was found at which both sides are defined", ENGINE)
 
-    def probes(self, count: int, precision: int = LOW) -> Iterator[_Probe]:
-        for point in sample_points(self.symbols, self.domain, count=count):
+    def probes(self, count: int, precision: int = LOW, reach: int = REACH) -> Iterator[_Probe]:
+        for point in sample_points(self.symbols, self.domain, count=count, reach=reach):
             with ctx.workprec(precision):
-                values = self.program.run([rational_ball(value) for value in point.values()])
-                yield _Probe(point, *values)
+                sides = self.program.run([rational_ball(value) for value in point.values()])
+                yield _Probe(point, *sides)
 
 
-def _may_branch(node: sp.Basic) -> bool:
+def _parts(*formulas: sp.Expr) -> set[sp.Expr]:
+    """Collect all different parts of formulas."""
+    found: set[sp.Expr] = set()
+    waiting = list(formulas)
+    while waiting:
+        part = waiting.pop()
+        if part not in found:
+            found.add(part)
+            waiting.extend(part.args)
+    return found
+
+
+def _may_branch(node: sp.Expr) -> bool:
     """Whether a node is a root or an absolute value of something variable."""
-    if isinstance(node, (sp.Abs, sp.sign)):
-        return bool(node.free_symbols)
-    return bool(isinstance(node, sp.Expr) and is_root(node) and node.free_symbols)
+    return (is_root(node) or isinstance(node, (sp.Abs, sp.sign))) and bool(node.free_symbols)

@@ -43,10 +43,12 @@ class AtomReader(EnclosedReader, ABC):
         source: str,
         declared: Collection[str],
         quantities: Collection[str],
+        functions: Collection[str],
         shorthands: Mapping[str, str],
     ) -> None:
         super().__init__(source, declared)
         self.quantities = quantities
+        self.functions = functions
         self.shorthands = shorthands
         self.depth = 0
         self.rules: dict[str, Callable[[int], Node]] = {
@@ -146,7 +148,7 @@ class AtomReader(EnclosedReader, ABC):
         node = self.bracket(self.start)
         arguments = node.items if isinstance(node, Tuple) else (node,)
         plain = all(_is_plain(argument) for argument in arguments)
-        if plain and name in self.quantities:
+        if name in self.functions or (plain and name in self.quantities):
             return Applied(name, arguments, span=self.since(start))
         if isinstance(node, Name):
             cure = f"declare `{name}` with `role: quantity`, or drop the brackets for a product"

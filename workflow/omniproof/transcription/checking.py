@@ -95,6 +95,7 @@ class Check:
         listed = self.values.get(key, []) if isinstance(self.values, dict) else []
         if not isinstance(listed, list):
             return {}
+        # One bad entry must not hide the faults of all others.
         good = ((i, value) for i, value in enumerate(listed) if (key, i) not in bad)
         return {i: kind.model_validate(value) for i, value in good}
 
@@ -104,6 +105,7 @@ class Check:
         if any(fault.path == "key" for fault in self.faults) or not isinstance(key, str):
             return None
         symbols, claims = tuple(self.symbols.values()), tuple(self.claims.values())
+        # Without validation: what is left of the faults is known by now.
         return Paper.model_construct(
             key=key, notation=self.notation, symbols=symbols, claims=claims
         )
@@ -141,10 +143,21 @@ class Check:
             elif symbol.name in by_name:
                 message = f"expected each name once, found `{symbol.name}` again"
                 self.fault(("symbols", i, "name"), message, f"the first one is on line {line}")
+            # The first of two entries counts, so that formulas can be read and their faults told.
             self.symbols.setdefault(name, symbol)
             by_name.setdefault(symbol.name, i)
             if symbol.range:
                 self.read_range(i, name, symbol.range)
+        for i, symbol in symbols.items():
+            self.check_arguments(i, symbol)
+
+    def check_arguments(self, i: int, symbol: Symbol) -> None:
+        """What a quantity is a function of are declared variables."""
+        variables = [s.latex for s in self.symbols.values() if s.role is not Role.QUANTITY]
+        for k, latex in enumerate(symbol.of):
+            if latex not in variables:
+                message = f"expected a variable among the symbols, found `{latex}`"
+                self.fault(("symbols", i, "of", k), message, nearest(latex, variables))
 
     def check_tables(self, tables: Mapping[int, Table]) -> None:
         """Read the tables, each with its units."""
@@ -185,9 +198,8 @@ class Check:
 
     def read_all(self) -> None:
         """Read all LaTeX: one fault for what cannot be read, one for each unknown symbol."""
-        quantities = {n for n, symbol in self.symbols.items() if symbol.role is Role.QUANTITY}
-        broken = self.broken_symbols()
-        known = Names(broken | set(self.symbols), broken | quantities)
+        broken, sound = self.broken_symbols(), known_names(self.symbols)
+        known = Names(broken | sound.declared, broken | sound.quantities, sound.functions)
         for i, claim in self.claims.items():
             source = " ".join(claim.latex)
             if source:
@@ -276,6 +288,13 @@ class Check:
             if target and target not in ids | wholes and _without_index(target) not in ids:
                 message = f"expected an equation, figure or section with claims, found `{target}`"
                 self.fault(("claims", i, "target"), message, nearest(target, ids | wholes))
+
+
+def known_names(symbols: Mapping[str, Symbol]) -> Names:
+    """Sort symbols, by canonical name, into those that may take arguments and those that do."""
+    quantities = {name for name, symbol in symbols.items() if symbol.role is Role.QUANTITY}
+    functions = {name for name, symbol in symbols.items() if symbol.of}
+    return Names(frozenset(symbols), frozenset(quantities), frozenset(functions))
 
 
 def unknown_symbols(tree: Node, source: str, declared: frozenset[str]) -> Iterator[LatexError]:

@@ -13,22 +13,32 @@ from difflib import get_close_matches
 from functools import reduce
 from itertools import pairwise
 from operator import add, mul
+from types import FunctionType
 from typing import Any, NoReturn, TypeAlias
 
 import sympy
-from sympy import Expr, ImmutableMatrix, MatrixBase, Rational
+from sympy import Expr, ImmutableMatrix, MatrixBase, Rational, Symbol
 
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import names
 
-__all__ = ["Meaning", "Value", "evaluate", "names"]
+__all__ = ["Function", "Meaning", "Value", "evaluate", "names"]
 
 Meaning: TypeAlias = Any
-"""An expression, a matrix, or for a quantity with arguments a function of them."""
+"""An expression, a matrix, for a quantity with arguments a `Function` of them, or an operator."""
 Value: TypeAlias = Any
 """An expression, a matrix, a relation, or a tuple of these."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """What a quantity is, and the variables in it that its printed arguments replace."""
+
+    value: Value
+    of: tuple[Symbol, ...]
+
 
 AXES = {"x": 0, "y": 1, "z": 2}
 MAX_BITS = 40_000
@@ -123,7 +133,8 @@ def _name(scope: _Scope, node: tree.Name | tree.Applied) -> Value:
     """Look a symbol up; the determinant of a known matrix needs no entry of its own."""
     name = node.name
     if name in scope.meanings:
-        return scope.meanings[name]
+        meaning = scope.meanings[name]
+        return meaning.value if isinstance(meaning, Function) else meaning
     if name.removeprefix("\\det ") in scope.meanings:
         return _det(scope, node, scope.square(tree.Name(name[5:], span=node.span)))
     near = get_close_matches(name, list(scope.meanings), n=1)
@@ -132,17 +143,21 @@ def _name(scope: _Scope, node: tree.Name | tree.Applied) -> Value:
 
 
 def _applied(scope: _Scope, node: tree.Applied) -> Value:
-    """A quantity as it is defined; a function of its arguments is called with them."""
-    meaning = _name(scope, node)
-    if isinstance(meaning, MatrixBase) or (
-        _is_scalar(meaning) and not isinstance(meaning, sympy.Lambda)
-    ):
-        return meaning
-    arguments = [scope.value(argument) for argument in node.arguments]
-    try:
-        return meaning(*arguments)
-    except (TypeError, ValueError):
-        return scope.refuse(node, f"`{node.name}` has no such arguments")
+    """A quantity with its arguments in the place of the variables that it is a function of."""
+    value, function = _name(scope, node), scope.meanings.get(node.name)
+    if isinstance(value, FunctionType):  # an operator: `Rot(z, a)` takes an axis and an angle
+        try:
+            return value(*map(scope.value, node.arguments))
+        except (TypeError, ValueError):
+            scope.refuse(node, f"`{node.name}` has no such arguments")
+    # Arguments of what is no function would be dropped: different formulas would look alike.
+    if not isinstance(function, Function):
+        cure = f"say of what `{node.name}` is a function: `of: ['\\theta']` beside its `role`"
+        scope.refuse(node, f"`{node.name}` has arguments, and is declared no function", cure)
+    if len(node.arguments) != len(function.of):
+        scope.refuse(node, f"expected {len(function.of)} arguments of `{node.name}`")
+    arguments = [scope.number(argument) for argument in node.arguments]
+    return value.xreplace(dict(zip(function.of, arguments, strict=True)))
 
 
 def _sum(scope: _Scope, node: tree.Sum) -> Value:
@@ -358,9 +373,7 @@ _RULES: dict[type[tree.Node], Callable[[_Scope, Any], Value]] = {
     tree.Pi: lambda scope, node: sympy.pi,
     tree.Name: _name,
     tree.Applied: _applied,
-    tree.Negative: lambda scope, node: _times(
-        scope, node, sympy.Integer(-1), scope.value(node.operand)
-    ),
+    tree.Negative: lambda scope, node: _times(scope, node, -sympy.S.One, scope.value(node.operand)),
     tree.Sum: _sum,
     tree.Product: _product,
     tree.Dot: _dot,
@@ -377,9 +390,7 @@ _RULES: dict[type[tree.Node], Callable[[_Scope, Any], Value]] = {
     tree.Component: _component,
     tree.Tuple: _tuple,
     tree.MatrixLiteral: _matrix,
-    tree.SetBuilder: lambda scope, node: tuple(
-        scope.value(part) for part in (node.element, *node.conditions)
-    ),
+    tree.SetBuilder: lambda scope, node: tuple(map(scope.value, (node.element, *node.conditions))),
     tree.Cases: _cases,
     tree.Comparison: _comparison,
     tree.Logic: _logic,

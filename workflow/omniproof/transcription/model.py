@@ -122,7 +122,8 @@ class Asserts(Record):
 class Symbol(Record):
     r"""A symbol as the paper prints it, and the name that it has in the derivations.
 
-    `range` is an open interval such as `(0, 90^\circ)`, in every claim.
+    `range` is an open interval such as `(0, 90^\circ)`, in every claim. `of` makes a quantity a
+    function: the variables whose place its printed arguments take.
     """
 
     latex: Latex
@@ -130,7 +131,19 @@ class Symbol(Record):
     role: Role = Role.VARIABLE
     positive: bool = False
     range: Latex | None = None
+    of: tuple[Latex, ...] = ()
     means: Text
+
+    @field_validator("of", mode="before")
+    @classmethod
+    def _one_or_many(cls, value: object) -> object:
+        return (value,) if isinstance(value, str) else value
+
+    @model_validator(mode="after")
+    def _complete(self) -> Self:
+        if self.of and self.role is not Role.QUANTITY:
+            raise ValueError("`of` belongs to role quantity")
+        return self
 
 
 class Notation(Record):

@@ -74,24 +74,28 @@ def read(
     notation: Writing | None = None,
     symbols: Sequence[str] = (),
     quantities: Sequence[str] = (),
+    functions: Sequence[str] = (),
 ) -> Node:
     r"""Read a formula, an equation, or a list of them.
 
-    `symbols` are the LaTeX of the declared symbols, `quantities` those among them that may be
-    followed by arguments, as `D_V(\theta)`. Raises `LatexError` for what cannot be read, or in more
-    than one way.
+    `symbols` are the LaTeX of the declared symbols. Among them, `quantities` may be followed by
+    plain arguments, as `D_V(\theta)`, and `functions` by any. Raises `LatexError` for what cannot
+    be read, or in more than one way.
     """
-    applied = frozenset(symbol_name(latex) for latex in quantities)
-    declared = applied.union(symbol_name(latex) for latex in symbols)
-    return read_with(text, notation or Conventions(), Names(declared, applied))
+    declared, applied, called = (
+        frozenset(symbol_name(latex) for latex in listed)
+        for listed in ((*symbols, *quantities, *functions), quantities, functions)
+    )
+    return read_with(text, notation or Conventions(), Names(declared, applied, called))
 
 
 @dataclass(frozen=True)
 class Names:
-    """Canonical names of the declared symbols, and of those that take arguments."""
+    """Canonical names of the declared symbols, and of those that may take or do take arguments."""
 
     declared: frozenset[str] = frozenset()
     quantities: frozenset[str] = frozenset()
+    functions: frozenset[str] = frozenset()
 
 
 def read_with(text: str, notation: Writing, names: Names) -> Node:
@@ -103,7 +107,9 @@ class Reader(AtomReader):
     """Sums, products, powers and statements."""
 
     def __init__(self, source: str, names: Names, notation: Writing) -> None:
-        super().__init__(source, names.declared, names.quantities, notation.functions)
+        super().__init__(
+            source, names.declared, names.quantities, names.functions, notation.functions
+        )
         self.slash, self.angles = notation.slash, notation.angles
         self.bare = -1  # where the last function argument without brackets ended
 
@@ -122,6 +128,7 @@ class Reader(AtomReader):
     def separator(self) -> bool:
         """Step over what may stand between two statements."""
         start = self.place
+        # A full stop ends a display, or a row of it; nowhere else does it end a statement.
         if not self.consume(",", ";") and self.peek(1).kind in {"row", END.kind}:
             self.consume(".")
         self.consume_kind("row")

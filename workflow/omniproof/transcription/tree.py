@@ -244,6 +244,9 @@ class Listing(Node):
     items: tuple[Node, ...]
 
 
+Symbolic = Name | Applied
+"""A symbol: what it means is known from outside of the formula."""
+
 STATEMENTS = (Chain, Comparison, Logic, Listing)
 """What is true or false, and therefore no factor, term or argument."""
 

@@ -1,0 +1,89 @@
+"""Order twice: what balls prove or refute is asked again of z3, which knows neither.
+
+A statement is given by what would refute it: signs of formulas at a point of a region. No such
+point confirms a proof, a point confirms a refutation, and a condition is confirmed when something
+is needed (a point without it) and it suffices (none under it). z3 is named only where it came to
+the same answer; when it comes to another one, one of the two is broken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
+from omniproof.audit.zero_test import DisagreementError
+
+Sign = tuple[sp.Expr, str]
+"""A formula and its relation to zero, as `find_point` takes them."""
+Vote = bool | None
+"""True: there is a point; False: there is none; None: not decided."""
+
+
+def confirmed_order(answer: Answer, failures: Sequence[Sign], region: Region) -> Answer:
+    """Name z3 in an answer to which it comes, too; any of the `failures` at a point refutes.
+
+    Raises `DisagreementError` when z3 comes to another answer.
+    """
+    if isinstance(answer, Undecided) or "z3" in answer.engines:
+        return answer
+    vote = _vote(answer, failures, region)
+    if vote is False:
+        told = ", ".join(f"{sp.sstr(formula)} {symbol} 0" for formula, symbol in failures)
+        engines = "+".join(answer.engines)
+        raise DisagreementError(f"z3 contradicts {engines} on a point with {told}: {answer}")
+    return replace(answer, engines=(*answer.engines, "z3")) if vote else answer
+
+
+def decided_by_algebra(failures: Sequence[Sign], region: Region) -> Proved | None:
+    """Prove by z3 alone what balls leave open: there is no point with any of the failures."""
+    return Proved(("z3",)) if _fails_in(failures, [region]) is False else None
+
+
+def _vote(answer: Proved | Refuted | OnBranch, failures: Sequence[Sign], region: Region) -> Vote:
+    found = _fails_in(failures, [region])
+    if found is None:
+        return None
+    if isinstance(answer, Proved):
+        return not found
+    if isinstance(answer, Refuted) or not found:
+        # A note gives another reason than a point (the printed point lies outside of the box).
+        return True if found else None if answer.note and isinstance(answer, Refuted) else False
+    parts = list(_parts(answer, region))
+    under = _fails_in(failures, parts) if parts else None
+    return None if under is None else not under
+
+
+def _fails_in(failures: Sequence[Sign], regions: Sequence[Region]) -> Vote:
+    """Whether there is a point in any of the regions; a point that may be none decides nothing."""
+    answers = [find_point([failure], region) for region in regions for failure in failures]
+    if any(isinstance(answer, Somewhere) and answer.exact for answer in answers):
+        return True
+    return False if all(isinstance(answer, Nowhere) for answer in answers) else None
+
+
+def _parts(answer: OnBranch, region: Region) -> Iterator[Region]:
+    """Yield the parts of a region in which a condition holds; none where it has another form."""
+    if len(region.ranges) > 1:
+        points = [{ne.lhs: ne.rhs for ne in each.atoms(sp.Ne)} for each in answer.relations]
+        if points and all(point.keys() == region.ranges.keys() for point in points):
+            apart = tuple(tuple(point[s] for s in region.ranges) for point in points)
+            yield replace(region, apart=apart)
+        return
+    ((symbol, (lower, upper)),) = region.ranges.items()
+    left, right = region.closed.get(symbol, (False, False))
+    whole = sp.Interval(lower, upper, not left, not right)
+    kept = sp.And(*answer.relations).as_set() & whole
+    for part in kept.args if isinstance(kept, sp.Union) else (kept,):
+        ends = {symbol: (part.inf, part.sup)}
+        if isinstance(part, sp.Interval):
+            closed = (not part.left_open, not part.right_open)
+            yield replace(region, ranges=ends, closed={symbol: closed})
+        else:
+            yield from (
+                replace(region, ranges={symbol: (point, point)}, closed={symbol: (True, True)})
+                for point in part
+            )
