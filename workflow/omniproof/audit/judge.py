@@ -61,6 +61,8 @@ def _judge_value(claim: Claim, context: Context) -> Row:
     if isinstance(finding, Undecided):
         return answered(row, finding, context)
     verdict = _BY_ROUNDING[finding.rounding]
+    if verdict is Verdict.MISROUNDED and _is_count(claim, value):
+        verdict = Verdict.ERRATUM
     row = row.model_copy(
         update={
             "verdict": verdict,
@@ -80,6 +82,11 @@ def _judge_value(claim: Claim, context: Context) -> Row:
         row.model_copy(update=mended),
         f"{finding.rounding}, relative error {finding.relative_error}",
     )
+
+
+def _is_count(claim: Claim, value: Expr) -> bool:
+    """Whether things are counted: a whole number without unit is right or wrong, never rounded."""
+    return bool(value.is_Integer) and claim.unit == "1" and "." not in str(claim.printed)
 
 
 def _judge_relation(claim: Claim, context: Context) -> Row:
