@@ -67,6 +67,8 @@ STATEMENTS = [
     false("ellipse", Curve((t, t**2), TURN), "a parabola"),
     true("chain", Ordered((sin(t), t), HALF), "sin t < t"),
     false("chain", Ordered((t, sin(t)), HALF), "t > sin t"),
+    true("chain", Ordered((Integer(0), Abs(sin(t)) / 2, Abs(sin(t))), HALF), "absolute values"),
+    false("chain", Ordered((2 * cos(t), sin(t)), HALF), "from arctan 2 on, of no known form"),
 ]  # fmt: skip
 
 

@@ -12,14 +12,15 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.exact import subtract
 from omniproof.audit.intervals import Piece, condition_latex, in_degrees
-from omniproof.audit.quotient import OnBox
-from omniproof.audit.signs import sign_on
+from omniproof.audit.quotient import OnBox, Quotient
+from omniproof.audit.signs import guarded, sign_on
 from omniproof.registry import Ordered
 
 ENGINE = ("flint",)
+LONGEST = 300
 
 
 def holds(chain: Ordered) -> Answer:
@@ -31,20 +32,44 @@ def holds(chain: Ordered) -> Answer:
     if len(chain.terms) < 2:
         return Undecided("one term is compared with nothing")
     links = [
-        (sign_on(OnBox(subtract(right, left), chain.box), 1), left, right)
-        for left, right in pairwise(chain.terms)
+        (_order(OnBox(subtract(right, left), chain.box)), left, right)
+        for left, right in pairwise(_without_bars(chain.terms))
     ]
     if all(isinstance(answer, Proved) for answer, _, _ in links):
         return Proved(ENGINE)
     for answer, left, right in links:
         if isinstance(answer, Refuted):
-            where = "never" if len(chain.box) == 1 else "not always"
-            told = f"${sp.latex(left)} < {sp.latex(right)}$ holds {where}"
-            return Refuted(ENGINE, answer.witness, told)
+            where = "never" if len(chain.box) == 1 and not answer.note else "not always"
+            link = f"${sp.latex(left)} < {sp.latex(right)}$"
+            shown = link if len(link) < LONGEST else "a link"
+            return Refuted(ENGINE, answer.witness, f"{shown} holds {where}")
     for answer, _, _ in links:
         if isinstance(answer, Undecided):
             return answer
     return _in_parts([answer for answer, _, _ in links if isinstance(answer, OnBranch)], chain)
+
+
+def _without_bars(terms: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+    """Square absolute values: that keeps their order, and leaves no kinks."""
+    if any(term.has(sp.Abs) for term in terms) and all(term.is_nonnegative for term in terms):
+        return tuple(term**2 for term in terms)
+    return terms
+
+
+def _order(difference: OnBox) -> Answer:
+    """Decide where a difference is positive; a point where it is negative refutes in any case."""
+    answer = sign_on(difference, 1)
+    if not isinstance(answer, Undecided):
+        return answer
+    return guarded(lambda: _counterexample(Quotient.of(difference), answer))
+
+
+def _counterexample(function: Quotient, otherwise: Undecided) -> Answer:
+    wrong = function.find(function.value, -1)
+    if wrong is None:
+        return otherwise
+    witness = Witness(function.name(wrong), "> 0", function.digits(wrong))
+    return Refuted(ENGINE, witness, otherwise.reason)
 
 
 def _in_parts(answers: list[OnBranch], chain: Ordered) -> Answer:

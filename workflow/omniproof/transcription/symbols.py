@@ -109,7 +109,7 @@ class SymbolReader(Cursor):
 
     def at_symbol(self) -> bool:
         """Whether a symbol starts here."""
-        return self.peek().kind in {"symbol", "accent", "font"}
+        return self.peek().kind in {"symbol", "accent", "font", "angle"}
 
     def symbol(self, word: bool = False) -> str:
         r"""symbol = base {"'"} ["_" script] ["^" script]; `word`: letters may run together."""
@@ -122,8 +122,13 @@ class SymbolReader(Cursor):
         return name + self.superscript(name)
 
     def base(self, word: bool = False) -> str:
-        r"""base = letter | greek | declared word | font "{" symbol "}" | accent "{" symbol "}"."""
+        r"""base = letter | greek | declared word | (font | accent) "{" symbol "}" | angle.
+
+        angle = "\angle" symbol symbol symbol, one symbol by its three points.
+        """
         token = self.take()
+        if token.kind == "angle":
+            return f"{token.text} {''.join(self.symbol() for _ in range(3))}"
         if token.kind == "font":
             return self.content(token, word)
         if token.kind == "accent":
