@@ -23,8 +23,8 @@ rule notebook:
         theorems="results/theorems.json",
         mutation=lambda wildcards: mutation_of(wildcards.chapter),
         tables=lambda wildcards: tables_of(*papers_of(wildcards.chapter)),
-        figures=lambda wildcards: figures_of(*papers_of(wildcards.chapter)),
-        abouts=lambda wildcards: abouts_of(*papers_of(wildcards.chapter)),
+        figures=lambda wildcards: figures_of(*told_in(wildcards.chapter)),
+        abouts=lambda wildcards: abouts_of(*told_in(wildcards.chapter)),
         package=package("report.notebook", "report.fragments"),
     output:
         chapter="results/notebooks/{chapter}.ipynb",
