@@ -48,11 +48,16 @@ class Roller:
 
     def line(self, radius: Expr = RADIUS) -> tuple[ImmutableMatrix, ImmutableMatrix]:
         """Spins without slip on a sphere of this radius: a point and the direction, 3x1 each."""
-        return sphere.constraint_line(self.contact, self.axis, self.speed, radius)
+        return _line(self, radius)
 
     def slip(self, spin: ImmutableMatrix, radius: Expr = RADIUS) -> ImmutableMatrix:
         """Velocity (3x1, m/s) of the sphere over the roller at a spin (3x1, rad/s)."""
         return sphere.slip_velocity(spin, self.contact, self.axis, self.speed, radius)
+
+
+@cache
+def _line(roller: Roller, radius: Expr) -> tuple[ImmutableMatrix, ImmutableMatrix]:
+    return sphere.constraint_line(roller.contact, roller.axis, roller.speed, radius)
 
 
 def any_roller(name: str) -> Roller:

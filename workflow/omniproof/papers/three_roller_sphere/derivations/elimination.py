@@ -32,6 +32,7 @@ def form(eliminated: int = 0) -> Expr:
     return before.subs(variable, -rest / rate)
 
 
+@cache
 def coefficient(k: int, eliminated: int) -> Expr:
     """Coefficient of the k-th monomial in what elimination leaves."""
     left = Poly(form(eliminated), *POINT)

@@ -68,6 +68,7 @@ def squared_distance(roller: Roller, point: ImmutableMatrix) -> Expr:
     return across.dot(across)
 
 
+@cache
 def sum_at(*place: Expr) -> Expr:
     """Sum of the squared distances of a point (three coordinates, rad/s)."""
     point = ImmutableMatrix(place)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from functools import cache
 
-from sympy import Expr, ImmutableMatrix, Integer, Symbol, cancel, cos, pi, sin, sqrt
+from sympy import Expr, ImmutableMatrix, Integer, Symbol, cancel, cos, expand, pi, sin, sqrt
 
 from omniproof.papers.three_roller_sphere.derivations.premises import vanishing
 from omniproof.papers.three_roller_sphere.derivations.quantities import REGISTRY
@@ -41,7 +41,8 @@ def slip_along(direction: int, roller: int = 3) -> Expr:
     chosen = pattern()[roller - 1]
     place = chosen.azimuth + (2 - direction) * pi / 2
     slip = pattern_slips()[roller - 1].subs(PHI, place)
-    return cancel(slip.dot(ImmutableMatrix(chosen.frame[:, direction])))
+    part = slip.dot(ImmutableMatrix(chosen.frame[:, direction]))
+    return cancel(expand(part).subs(cos(ELEVATION) ** 2, 1 - sin(ELEVATION) ** 2))
 
 
 @cache
