@@ -20,27 +20,29 @@ from omniproof.papers.three_roller_sphere.rollers import (
     PHI,
     RADIUS,
     ROLLERS,
+    Roller,
     input_speed,
     pattern,
     pattern_slips,
     pattern_spin,
 )
-from omniproof.registry import Curve
+from omniproof.registry import Curve, Obligation, Relation
+from omniproof.transcription.model import Form
 
 TURN = {PHI: (Integer(0), 2 * pi)}
 SLIPPING = (2, 3, 4)
 """Patterns above the equator."""
 
 
-def slip_along(direction: int, roller: int = 3) -> Expr:
+def slip_along(direction: int) -> Expr:
     """Greatest part (m/s) of a roller's slip along a tangent (1 level, 2 upright), any elevation.
 
     The level part is greatest a quarter turn after the upright one, which is greatest where the
     parameter is the azimuth of the roller.
     """
-    chosen = pattern()[roller - 1]
+    chosen = pattern()[-1]
     place = chosen.azimuth + (2 - direction) * pi / 2
-    slip = pattern_slips()[roller - 1].subs(PHI, place)
+    slip = pattern_slips()[-1].subs(PHI, place)
     part = slip.dot(ImmutableMatrix(chosen.frame[:, direction]))
     return cancel(expand(part).subs(cos(ELEVATION) ** 2, 1 - sin(ELEVATION) ** 2))
 
@@ -86,10 +88,17 @@ def number_of_rollers_again() -> Expr:
 
 
 @REGISTRY.derives("sec:3/regular-triangle")
-def regular_triangles() -> tuple[Expr, ...]:
-    """Azimuths of all regular triangles."""
+def regular_triangles() -> Relation:
+    """Azimuths of all regular triangles: the three sides are equally long."""
     first = Symbol("theta_1_1", real=True)
-    return tuple(first + 2 * pi * k / 3 for k in range(len(ROLLERS)))
+    azimuths = tuple(first + 2 * pi * k / 3 for k in range(len(ROLLERS)))
+    corners = [Roller(a, LEVEL, LEVEL, LEVEL).contact for a in azimuths]
+    sides = (corners[k] - corners[k - 1] for k in range(3))
+    return Relation(
+        azimuths,
+        correction=r"(\theta_{1,1}, \theta_{1,1} + 120^\circ, \theta_{1,1} + 240^\circ)",
+        proof=(Obligation(Form.EQUAL, tuple(side.dot(side) for side in sides)),),
+    )
 
 
 def _set_up(name: str, value: Expr, *claims: str) -> None:
