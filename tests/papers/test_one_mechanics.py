@@ -7,13 +7,15 @@ dry friction by iterated reweighting.
 from __future__ import annotations
 
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from omniproof.audit.theorems import prove
-from omniproof.papers.one_mechanics import friction, platforms
+from omniproof.kinematics import ballbot
+from omniproof.papers.one_mechanics import friction, notation, platforms
 from omniproof.papers.one_mechanics.theorems import THEOREMS
 
 REGULAR = np.radians([30, 150, 270])
@@ -192,3 +194,44 @@ def test_patterns_of_the_paper_by_hand() -> None:
     assert np.min(sizes) == pytest.approx(0.2)
     assert np.max(sizes) == pytest.approx(0.4)
     assert all(np.abs(after - before).max() < 0.01 for before, after in pairwise(sizes))
+
+
+def cells() -> list[Any]:
+    """Paper and symbol of each cell of the table of notation that holds a formula."""
+    return [
+        pytest.param(paper, part.strip("$"), id=f"{paper} {row.head} {part}")
+        for row in notation.QUANTITIES
+        for paper, cell in zip(notation.PAPERS, row.cells, strict=True)
+        for part in cell.split(notation.PART)
+        if part.startswith("$")
+    ]
+
+
+@pytest.mark.parametrize(("paper", "symbol"), cells())
+def test_each_symbol_stands_in_the_transcription_of_its_paper(
+    root: Path, paper: str, symbol: str
+) -> None:
+    printed = root / "paper_data" / paper / "paper.yaml"
+    if not printed.is_file():
+        pytest.skip(f"{paper} is not transcribed here")
+    text = printed.read_text(encoding="utf-8")
+    assert f"'{symbol}'" in text or f"'{symbol} " in text or f" {symbol} " in text
+
+
+def test_every_row_of_the_notation_has_a_cell_a_paper() -> None:
+    rows = notation.table([*notation.QUANTITIES, *notation.LETTERS])
+    assert {len(row) for row in rows} == {1 + len(notation.HEADS)}
+    assert not any(notation.PART in cell for row in rows for cell in row)
+    heads = [row[0] for row in rows]
+    assert len(heads) == len(set(heads))
+
+
+def test_the_first_axis_of_a_wheel_of_the_ballbot_is_a_rollers_axis() -> None:
+    """Why the table of notation has it in one row with eta."""
+    zenith, azimuth = 0.7, 2.1
+    place = np.array(
+        [np.sin(zenith) * np.cos(azimuth), np.sin(zenith) * np.sin(azimuth), -np.cos(zenith)]
+    )
+    frame = np.array(ballbot.contact_frame(azimuth, zenith, 1).tolist(), dtype=float)
+    first, driven = frame[:3, 0], frame[:3, 1]
+    np.testing.assert_allclose(np.cross(place, -first), driven, atol=1e-12)

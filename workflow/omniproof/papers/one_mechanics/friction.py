@@ -289,9 +289,9 @@ THEOREMS = (
         r"the level unit vectors $\mathbf{h}_i$ towards the contacts, roller $m$ is the one with "
         r"the middle value of $\mathbf{V}\cdot\mathbf{h}_i$. It sticks, and the others slip along "
         r"$X_i$ by $\sin\theta\,\mathbf{V}\cdot(\mathbf{h}_i - \mathbf{h}_m)$. Seen from above, "
-        r"the spin runs on one circle of radius $\|\mathbf{V}\|/r$ for all patterns. So the "
-        r"paper's circles, smaller by $1 + \sin^2\theta$ from pattern to pattern, tell viscous "
-        r"from dry friction: an experiment could decide.",
+        r"the spin runs on one circle of radius $\|\mathbf{V}\|/r$ for all patterns. The "
+        r"paper's circles are smaller by the factor $1 + \sin^2\theta$: that tells viscous from "
+        r"dry friction, and an experiment could decide.",
         (THREE,),
         (
             Step("Slips at all three rollers, whichever sticks.", _dry_slips),

@@ -233,7 +233,7 @@ THEOREMS = (
         r"papers differ by a bearing: $\alpha_i = \psi_i - \delta_i$, where $\delta_1$ is the "
         r"direction at $P_1$ of the great circle that leads to $P_2$, counter-clockwise from east "
         r"($X_1$ of the three-roller paper), and $\delta_2$ that of the same circle at $P_2$. "
-        r"The slips of both rollers are equal and opposite: $S_1 = -S_2 = "
+        r"The components $S_i$ of the slips are equal and opposite: $S_1 = -S_2 = "
         r"\frac12(\nu_1\sin\alpha_1 - \nu_2\sin\alpha_2)$.",
         (TWO, THREE),
         (
