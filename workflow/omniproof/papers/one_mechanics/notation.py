@@ -41,7 +41,7 @@ QUANTITIES: Sequence[Symbols] = (
         "place of the contact",
         (
             r"$\alpha_k$",
-            r"$\alpha_i$",
+            r"$\alpha_1$",
             r"120° apart ; $\phi$",
             r"$\theta_{1,i}$ ; $\theta_{2,i}$",
             r"$\theta_{1,i}$ ; $\theta_{2,i}$",

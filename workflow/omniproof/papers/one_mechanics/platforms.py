@@ -219,14 +219,14 @@ THEOREMS = (
         r"$(-\sin\theta_{1,i}, \cos\theta_{1,i}, 1)$ on $-r(\cos\psi\,\omega_x, \cos\psi\,"
         r"\omega_y, \sin\psi\,\omega_z)$ in place of $(V_x, V_y, L\dot\phi)$. What differs is the "
         r"other direction. An omni wheel lets it go, a constraint roller holds it, which makes six "
-        r"equations for three unknowns: $\det(\mathbf{e}_1, \mathbf{e}_2, \mathbf{e}_3) = "
-        r"\cos\psi\sin^2\psi\det A$, and for $0° < \psi < 90°$ and three contacts no "
-        r"motion is without slip. In the "
+        r"equations for three unknowns: the determinant of the driven directions $\mathbf{e}_i$ is "
+        r"$\cos\psi\sin^2\psi\det A$, and for $0° < \psi < 90°$ and three contacts no motion is "
+        r"without slip. In the "
         r"regular triangle the least-squares spin is the forward kinematics of the platform times "
-        r"these weights: $-r\boldsymbol\omega = (\cos\psi\,V_x, \cos\psi\,V_y, \sin\psi\,"
-        r"L\dot\phi)$. At $\psi = 0°$ all slip is the yaw of the platform: each roller slips by "
-        r"$-(\nu_1 + \nu_2 + \nu_3)/3$ along the $z$-axis. So the “nonslip case” of the paper "
-        r"needs inputs that add up to zero, as its own do.",
+        r"these weights: $-r\omega_x = \cos\psi\,V_x$, $-r\omega_y = \cos\psi\,V_y$, $-r\omega_z = "
+        r"\sin\psi\,L\dot\phi$. At $\psi = 0°$ all slip is the yaw of the platform: each roller "
+        r"slips by $-(\nu_1 + \nu_2 + \nu_3)/3$ along the $z$-axis. So the “nonslip case” of the "
+        r"paper needs inputs that add up to zero, as its own do.",
         (THREE, ARRANGEMENT, TRAJECTORY),
         (
             Step("The rows, for any azimuths, any spin.", _rows_of_the_wheel_matrix),

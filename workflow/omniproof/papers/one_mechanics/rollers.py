@@ -208,7 +208,8 @@ THEOREMS = (
         r"\boldsymbol\eta_i$, and this is the only one unless all contacts lie on one line through "
         r"the centre; then any spin about that line may be added. For two contacts $\det M = "
         r"2\sin^2\beta$, $\beta$ being the angle between them; for three, with the cosines $c_k$ "
-        r"of the angles between them, $\det M = 2(3 - c_1^2 - c_2^2 - c_3^2) + 2(1 - c_1c_2c_3)$.",
+        r"of the angles between them, $\det M$ is the sum of $2(3 - c_1^2 - c_2^2 - c_3^2)$ and "
+        r"$2(1 - c_1c_2c_3)$.",
         (TWO, THREE),
         (
             Step(
@@ -233,8 +234,8 @@ THEOREMS = (
         r"papers differ by a bearing: $\alpha_i = \psi_i - \delta_i$, where $\delta_1$ is the "
         r"direction at $P_1$ of the great circle that leads to $P_2$, counter-clockwise from east "
         r"($X_1$ of the three-roller paper), and $\delta_2$ that of the same circle at $P_2$. "
-        r"The components $S_i$ of the slips are equal and opposite: $S_1 = -S_2 = "
-        r"\frac12(\nu_1\sin\alpha_1 - \nu_2\sin\alpha_2)$.",
+        r"The components $S_i$ of the slips are equal and opposite: $S_1 = -S_2$ is half of "
+        r"$\nu_1\sin\alpha_1 - \nu_2\sin\alpha_2$.",
         (TWO, THREE),
         (
             Step(
