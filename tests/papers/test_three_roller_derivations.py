@@ -9,6 +9,8 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from fractions import Fraction
+from math import isqrt
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +20,10 @@ from by_hand import cross, length
 from mpmath import cos, lu_solve, matrix, mpf, pi, radians, sin
 from sympy import Expr, MatrixBase
 
+from omniproof.audit.theorems import prove
 from omniproof.kinematics import rolling
 from omniproof.papers.three_roller_sphere.derivations import REGISTRY
+from omniproof.papers.three_roller_sphere.theorems import THEOREMS
 from omniproof.registry import Curve, Relation
 from omniproof.transcription.loader import load_paper
 from omniproof.transcription.model import Kind
@@ -323,3 +327,37 @@ def test_what_rests_on_mechanics_changes_with_the_rolling_constraint(
             changed |= {claim for claim in before if values(claim) != before[claim]}
     untouched = GEOMETRY | ALGEBRA | ROLLER | COUNTS | SET_UP | INPUTS_FOLLOW
     assert set(before) - changed == untouched
+
+
+# The theorem on the elimination
+
+
+@pytest.mark.parametrize("theorem", THEOREMS, ids=lambda theorem: theorem.id)
+def test_its_theorems_are_proved(theorem: Any) -> None:
+    assert all(step["engines"] for step in prove(theorem)["proof"])
+
+
+@pytest.mark.parametrize(
+    ("direction", "zero"),
+    [
+        pytest.param((1, 0, 0), 1, id="x-axis: C_1"),
+        pytest.param((0, 1, 0), 2, id="y-axis: D_2"),
+        pytest.param((3, 4, 0), 2, id="a line of the xy-plane: D_2"),
+        pytest.param((0, 0, 1), 3, id="z-axis: E_3"),
+        pytest.param((2, 3, 6), 3, id="a line that leaves the plane: E_3"),
+    ],
+)
+def test_a_divisor_vanishes_for_contacts_on_one_line(direction: tuple[int, ...], zero: int) -> None:
+    """3 (I - u u^T), eliminated by hand: exact in fractions, since |u| is whole."""
+    size = Fraction(isqrt(sum(x * x for x in direction)))
+    u = [x / size for x in direction]
+    rows = [[3 * ((i == k) - u[i] * u[k]) for k in range(3)] for i in range(3)]
+    pivots = []
+    for k in range(3):
+        pivots.append(rows[k][k])
+        if rows[k][k] == 0:
+            break
+        for i in range(k + 1, 3):
+            share = rows[i][k] / rows[k][k]
+            rows[i] = [a - share * b for a, b in zip(rows[i], rows[k], strict=True)]
+    assert [pivot > 0 for pivot in pivots] == [True] * (zero - 1) + [False]

@@ -116,11 +116,14 @@ def _any_pattern_spin() -> ImmutableMatrix:
     return ImmutableMatrix(optimum(pattern()).applyfunc(factor))
 
 
-def pattern_spin(elevation: Expr = ELEVATION) -> ImmutableMatrix:
+def pattern_spin(elevation: Expr = ELEVATION, radius: Expr = RADIUS) -> ImmutableMatrix:
     """Spin (3x1, rad/s) of the pattern at one elevation (rad), short of the pole."""
-    return ImmutableMatrix(_any_pattern_spin().subs(ELEVATION, elevation))
+    return ImmutableMatrix(_any_pattern_spin().subs({ELEVATION: elevation, RADIUS: radius}))
 
 
-def pattern_slips(elevation: Expr = ELEVATION) -> tuple[ImmutableMatrix, ...]:
+def pattern_slips(
+    elevation: Expr = ELEVATION, radius: Expr = RADIUS
+) -> tuple[ImmutableMatrix, ...]:
     """Slip velocities (3x1 each, m/s) at the three rollers of a pattern."""
-    return tuple(roller.slip(pattern_spin(elevation)) for roller in pattern(elevation))
+    spin = pattern_spin(elevation, radius)
+    return tuple(roller.slip(spin, radius) for roller in pattern(elevation))

@@ -18,7 +18,6 @@ from omniproof.papers.three_roller_sphere.rollers import (
     ELEVATIONS,
     LEVEL,
     PHI,
-    RADIUS,
     ROLLERS,
     Roller,
     input_speed,
@@ -123,7 +122,7 @@ for _k, _elevation in enumerate(ELEVATIONS, 1):
 @REGISTRY.derives("sec:3/smaller-in-turn")
 def radii() -> tuple[Expr, ...]:
     """Radii of the four circles, in units of 1/r."""
-    spins = (RADIUS * pattern_spin(elevation).subs(PHI, 0) for elevation in ELEVATIONS)
+    spins = (pattern_spin(elevation, Integer(1)).subs(PHI, 0) for elevation in ELEVATIONS)
     return tuple(_size(spin) for spin in spins)
 
 
