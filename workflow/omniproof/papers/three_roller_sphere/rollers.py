@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, cached_property
 
 from sympy import Expr, ImmutableMatrix, Integer, Rational, Symbol, factor, pi, symbols
 
@@ -29,18 +29,18 @@ class Roller:
     angle: Expr
     speed: Expr
 
-    @property
+    @cached_property
     def frame(self) -> ImmutableMatrix:
         """Outer normal, level tangent and tangent towards the pole as columns: 3x3."""
         raised = frames.rotation("z", self.azimuth) * frames.rotation("y", -self.elevation)
         return frames.axes(raised)
 
-    @property
+    @cached_property
     def contact(self) -> ImmutableMatrix:
         """Direction from the centre of the sphere to the contact: 3x1, unit."""
         return ImmutableMatrix(self.frame[:, 0])
 
-    @property
+    @cached_property
     def axis(self) -> ImmutableMatrix:
         """Axis: the level tangent, turned about the outer normal by the angle: 3x1, unit."""
         turned = frames.axes(frames.rotation("x", self.angle))
