@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from omniproof.audit.theorems import prove
-from omniproof.kinematics import ballbot
+from omniproof.audit.theorems import UnprovedError, prove
+from omniproof.kinematics import ballbot, rolling
 from omniproof.papers.one_mechanics import friction, notation, platforms
 from omniproof.papers.one_mechanics.theorems import THEOREMS
 
@@ -197,6 +197,41 @@ def test_patterns_of_the_paper_by_hand() -> None:
     assert np.min(sizes) == pytest.approx(0.2)
     assert np.max(sizes) == pytest.approx(0.4)
     assert all(np.abs(after - before).max() < 0.01 for before, after in pairwise(sizes))
+
+
+def test_equal_drive_by_numbers() -> None:
+    """Least squares and least sum of slips agree: -sin(psi) / cos(theta) about z."""
+    elevation, angle = 0.4, 0.9
+    contacts, driven = rollers(REGULAR, elevation, angle)
+    square = weighted(contacts, driven, np.ones(3), np.ones(3))
+    expected = [0, 0, -np.sin(angle) / np.cos(elevation)]
+    np.testing.assert_allclose(square, expected, atol=1e-12)
+    start = np.array([0.3, -0.2, 0.1])
+    np.testing.assert_allclose(dry(contacts, driven, np.ones(3), start), expected, atol=1e-6)
+
+
+def doubled_speed(n: Any, q: Any, body: Any, surface: Any = rolling.REST) -> Any:
+    """A broken constraint: spins count twice, velocities once."""
+    turn = (body.rotation - surface.rotation).cross(q)
+    return n.dot(body.velocity - surface.velocity + 2 * turn)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param("thm:two-rollers", id="the spin of two rollers"),
+        pytest.param("thm:no-slip", id="the speeds without slip"),
+        pytest.param("thm:one-wheel-matrix", id="the lever of the yaw"),
+        pytest.param("thm:rollers-on-equator", id="the wheel matrix"),
+        pytest.param("thm:two-simulations", id="the radius of the circles"),
+        pytest.param("thm:dry-raised", id="the spin under dry friction"),
+    ],
+)
+def test_it_rests_on_the_rolling_constraint(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    (theorem,) = (theorem for theorem in THEOREMS if theorem.id == name)
+    monkeypatch.setattr(rolling, "rolling_speed", doubled_speed)
+    with pytest.raises(UnprovedError):
+        prove(theorem)
 
 
 def cells() -> list[Any]:

@@ -3,6 +3,7 @@ What the files beside it share: checked settings, the environment of all steps, 
 """
 
 import os
+import re
 from pathlib import Path
 
 from omniproof.settings import module_name, read_settings
@@ -94,6 +95,12 @@ def papers_of(chapter):
 def told_in(chapter):
     """Return the papers and topics whose figures a chapter may show."""
     return [chapter] if chapter in settings.papers else list(settings.told)
+
+
+def code_of(chapter):
+    """Return the source files of what a chapter imports from the package."""
+    text = Path("notebooks", f"{chapter}.md").read_text(encoding="utf-8")
+    return package(*re.findall(r"^from omniproof\.([\w.]+) import", text, re.MULTILINE))
 
 
 def mutation_of(chapter):

@@ -25,7 +25,7 @@ rule notebook:
         tables=lambda wildcards: tables_of(*papers_of(wildcards.chapter)),
         figures=lambda wildcards: figures_of(*told_in(wildcards.chapter)),
         abouts=lambda wildcards: abouts_of(*told_in(wildcards.chapter)),
-        package=package("report.notebook", "report.fragments"),
+        package=lambda wildcards: [*package("report.notebook"), *code_of(wildcards.chapter)],
     output:
         chapter="results/notebooks/{chapter}.ipynb",
     log:

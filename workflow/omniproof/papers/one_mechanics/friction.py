@@ -71,6 +71,26 @@ def _torque_is_the_slope() -> Sequence[Obligation]:
     return joined(same(gradient, 2 * torque), same(torque, RADIUS**2 * residual))
 
 
+# Any friction, equal drive
+
+
+def _equal_drive() -> Sequence[Obligation]:
+    """Slip of each of three regular rollers at a spin about z, and torque of equal slips."""
+    tilt, speed, rate = symbols("psi nu w", real=True)
+    spin = rate * UP
+    free = speed * sin(tilt) / (RADIUS * cos(ELEVATION))
+    torque, checks = zeros(3, 1), []
+    for azimuth in REGULAR:
+        east, north = sphere.tangent_base(azimuth, ELEVATION)
+        p = sphere.contact_direction(azimuth, ELEVATION)
+        axis = sphere.roller_axis(east, north, tilt)
+        slip = sphere.slip_velocity(spin, p, axis, speed, RADIUS)
+        across = RADIUS * cos(ELEVATION) * (rate + free) * east
+        checks.append(same(slip, across - speed * cos(tilt) * north))
+        torque += p.cross(north)
+    return joined(*checks, vanish(torque))
+
+
 # Dry friction, two rollers
 
 
@@ -225,6 +245,24 @@ THEOREMS = (
                 r"([above](one-mechanics.html#thm-one-best-spin)), so that the spin decays to its "
                 r"solution.",
                 _torque_is_the_slope,
+            ),
+        ),
+    ),
+    Theorem(
+        "thm:equal-drive",
+        "Where all friction laws agree",
+        r"Three rollers in a regular triangle at the elevation $\theta$, with one angle $\psi$ and "
+        r"one speed $\nu$, have the steady spin $-\frac{\nu\sin\psi}{r\cos\theta}$ about the "
+        r"$z$-axis under any friction that depends on the slip in one way for all: the "
+        r"least-squares point is also that of dry friction. All three slip by $\nu\cos\psi$ along "
+        r"the meridian.",
+        (THREE,),
+        (
+            Step(
+                r"At the spin $w$ about $z$ the slip of each is $(r\,w\cos\theta + \nu\sin\psi)\,"
+                r"X_i - \nu\cos\psi\,Y_i$; where the first part is zero, friction is along all "
+                r"$Y_i$ alike and has no torque.",
+                _equal_drive,
             ),
         ),
     ),

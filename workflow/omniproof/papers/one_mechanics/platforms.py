@@ -96,13 +96,19 @@ def _turned() -> ImmutableMatrix:
     return frames.axes(frames.rotation("z", -TURN))
 
 
+def _rows_by_angles() -> Sequence[Obligation]:
+    lever = INNER * sin(ZENITH)
+    rows = ImmutableMatrix([[-sin(a), cos(a), lever] for a in ballbot.AZIMUTHS])
+    return joined(
+        same(omni.wheel_matrix(ballbot.AZIMUTHS, lever), rows),
+        same(ballbot.law_over_surface_at_rest(ZENITH, INNER), rows),
+    )
+
+
 def _same_matrix() -> Sequence[Obligation]:
     printed = ballbot.law_over_surface_at_rest(ZENITH, INNER)
     regular = omni.wheel_matrix(REGULAR, INNER * sin(ZENITH))
-    return joined(
-        same(printed, omni.wheel_matrix(ballbot.AZIMUTHS, INNER * sin(ZENITH))),
-        same(printed, regular * _turned()),
-    )
+    return same(printed, regular * _turned())
 
 
 def _rolling_matrix() -> Sequence[Obligation]:
@@ -238,15 +244,20 @@ THEOREMS = (
     Theorem(
         "thm:one-wheel-matrix",
         "One wheel matrix in three papers",
-        r"The matrix of the ballbot's Eq. (10) is Eq. (5) of the arrangement paper with "
-        r"$(\alpha_1, \alpha_2, \alpha_3) = (180°, -60°, 60°)$ and the body radius "
-        r"$L\sin\phi$. It is also Eq. (3) of the trajectory paper, with the same radius, after a "
-        r"turn of the platform's axes by 150°: $30° + 150° = 180°$, and so on, in the same order "
-        r"of the wheels. The law of the ball that rolls has the factor $\frac{L}{\rho}\cos\phi$ "
-        r"before both columns of translation.",
+        r"The matrix of the ballbot's Eq. (10) is that of Eq. (5) of the arrangement paper with "
+        r"$(\alpha_1, \alpha_2, \alpha_3) = (180°, -60°, 60°)$ and the body radius $L\sin\phi$: "
+        r"row $k$ is $(-\sin\alpha_k, \cos\alpha_k, L\sin\phi)$ on velocity and yaw rate. It is "
+        r"also Eq. (3) of the trajectory paper, with the same radius, after a turn of the "
+        r"platform's axes by 150°: $30° + 150° = 180°$, and so on, in the same order of the "
+        r"wheels. The law of the ball that rolls has the factor $\frac{L}{\rho}\cos\phi$ before "
+        r"both columns of translation.",
         (BALLBOT, ARRANGEMENT, TRAJECTORY),
         (
-            Step("Row by row, by angles and by the turn.", _same_matrix),
+            Step(
+                "Both matrices have these rows.",
+                _rows_by_angles,
+            ),
+            Step("The matrix of the regular triangle after the turn.", _same_matrix),
             Step("The law of the rolling ball.", _rolling_matrix),
         ),
     ),
