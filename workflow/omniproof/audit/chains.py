@@ -74,7 +74,7 @@ def _counterexample(function: Quotient, otherwise: Undecided) -> Answer:
 
 def _in_parts(answers: list[OnBranch], chain: Ordered) -> Answer:
     ((symbol, (lower, upper)),) = chain.box.items()
-    kept = sp.Intersection(*(answer.relations[0].as_set() for answer in answers))
+    kept = sp.Intersection(*(_as_set(answer.relations[0]) for answer in answers))
     if kept is sp.S.EmptySet:
         return Refuted(ENGINE, answers[0].witness, "its links hold nowhere together")
     poles = [end for end in _ends(kept) if not _defined(chain.terms, symbol, end)]
@@ -84,6 +84,19 @@ def _in_parts(answers: list[OnBranch], chain: Ordered) -> Answer:
     condition = condition_latex(symbol, pieces)
     relation = sp.Or(*(piece.relation(symbol) for piece in pieces))
     return OnBranch(ENGINE, condition, answers[0].witness, note, (relation,))
+
+
+def _as_set(condition: sp.Basic) -> sp.Set:
+    """Read intervals off a condition; SymPy's own `as_set` looks for periods, which takes long."""
+    parts = condition.args if isinstance(condition, sp.Or) else (condition,)
+    return sp.Union(*(_interval(part.args) for part in parts))
+
+
+def _interval(bounds: Iterable[Any]) -> sp.Interval:
+    """Read `lower < x` and `x <= upper`, in any order."""
+    low, high = sorted(bounds, key=lambda bound: bool(bound.lts.free_symbols))
+    strict = sp.StrictLessThan, sp.StrictGreaterThan
+    return sp.Interval(low.lts, high.gts, isinstance(low, strict), isinstance(high, strict))
 
 
 def _parts(numbers: sp.Set) -> tuple[sp.Set, ...]:
