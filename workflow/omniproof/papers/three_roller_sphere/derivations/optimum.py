@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 from itertools import combinations
+from typing import TypeAlias
 
-from sympy import Expr, ImmutableMatrix, Integer, diff, pi, sqrt
+from sympy import Expr, ImmutableMatrix, Integer, diff, pi, sqrt, zeros
 
 from omniproof.kinematics import sphere
 from omniproof.papers.three_roller_sphere.derivations.premises import vanishing
@@ -23,18 +24,27 @@ from omniproof.papers.three_roller_sphere.rollers import POINT, RADIUS, ROLLERS,
 from omniproof.registry import Obligation, Relation
 from omniproof.transcription.model import Form
 
+Equations: TypeAlias = tuple[ImmutableMatrix, ImmutableMatrix]
+"""Matrix (3x3) and right side (3x1, rad/s) of normal equations."""
 
-@cache
-def normal_equations() -> tuple[ImmutableMatrix, ImmutableMatrix]:
-    """Matrix (3x3) and right side (3x1, rad/s) of the normal equations of three rollers."""
-    contacts, axes, speeds = zip(*((r.contact, r.axis, r.speed) for r in ROLLERS), strict=True)
+
+def equations_of(rollers: Sequence[Roller]) -> Equations:
+    """Normal equations of the squared slips of rollers, over the squared radius."""
+    contacts, axes, speeds = zip(*((r.contact, r.axis, r.speed) for r in rollers), strict=True)
     return sphere.normal_matrix(contacts), sphere.right_side(contacts, axes, speeds, RADIUS)
 
 
-def slope() -> ImmutableMatrix:
-    """Slope of half the sum of the squared distances by the normal equations: 3x1."""
-    matrix, feet = normal_equations()
-    return ImmutableMatrix(matrix * POINT - feet)
+@cache
+def normal_equations() -> Equations:
+    """Those of three rollers."""
+    return equations_of(ROLLERS)
+
+
+def excess_slope(squares: Expr, equations: Equations) -> tuple[Expr, ...]:
+    """Slope of a sum of squares at any spin, less that of normal equations: all zero."""
+    matrix, feet = equations
+    rates = ImmutableMatrix([diff(squares, coordinate) for coordinate in POINT])
+    return vanishing(rates - 2 * (matrix * POINT - feet))
 
 
 @REGISTRY.derives("sec:2.2/lines")
@@ -43,11 +53,16 @@ def number_of_lines() -> Expr:
     return Integer(len([roller.line() for roller in ROLLERS]))
 
 
+def sum_of_slips(spin: ImmutableMatrix) -> Expr:
+    """Sum of the squared slips (over the squared radius) at a spin (3x1, rad/s)."""
+    slips = [roller.slip(spin) for roller in ROLLERS]
+    return sum((slip.dot(slip) for slip in slips), Integer(0)) / RADIUS**2
+
+
 @REGISTRY.derives("eq:5")
 def sum_of_squares() -> Expr:
-    """Sum of the squared slips over the squared radius."""
-    slips = [roller.slip(POINT) for roller in ROLLERS]
-    return sum((slip.dot(slip) for slip in slips), Integer(0)) / RADIUS**2
+    """Sum of the squared slips at any spin."""
+    return sum_of_slips(POINT)
 
 
 @REGISTRY.derives("eq:6")
@@ -59,22 +74,15 @@ def distance() -> Expr:
 
 @REGISTRY.derives("sec:2.2/least-value")
 def slope_of_sum() -> tuple[Expr, ...]:
-    """Slope of the sum of the squared distances less that of the normal equations."""
-    rates = ImmutableMatrix([diff(sum_at(*POINT), coordinate) for coordinate in POINT])
-    return vanishing(rates - 2 * slope())
+    """Slope of the sum of the squared distances of three rollers."""
+    return excess_slope(sum_at(*POINT), normal_equations())
 
 
 @REGISTRY.derives("sec:1/arbitrary-arrangement")
-def slope_of_slips() -> tuple[Expr, ...]:
-    """Slope of the sum of the squared slips, over r^2, less that of the normal equations."""
-    rates = ImmutableMatrix([diff(sum_of_squares(), coordinate) for coordinate in POINT])
-    return vanishing(rates - 2 * slope())
-
-
-def _at_rest() -> Expr:
-    """Sum of the squared slips of a sphere at rest, over the squared radius."""
-    slips = [roller.slip(ImmutableMatrix([0, 0, 0])) for roller in ROLLERS]
-    return sum((slip.dot(slip) for slip in slips), Integer(0)) / RADIUS**2
+def slope_of_slip() -> tuple[Expr, ...]:
+    """Slope of the squared slip of one roller anywhere: those of several add up."""
+    slip = ROLLER.slip(POINT)
+    return excess_slope(slip.dot(slip) / RADIUS**2, equations_of([ROLLER]))
 
 
 _MIXED = {4: (0, 1), 5: (1, 2), 6: (0, 2)}
@@ -85,7 +93,7 @@ def coefficient(k: int) -> Expr:
     """Coefficient of the sum of the squared distances, in the paper's order from 1 to 10."""
     matrix, feet = normal_equations()
     if k == 10:
-        return _at_rest()
+        return sum_of_slips(zeros(3, 1))
     if k in _MIXED:
         return 2 * matrix[_MIXED[k]]
     return matrix[k - 1, k - 1] if k < 4 else -2 * feet[k - 7]
