@@ -270,7 +270,7 @@ THEOREMS = (
         r"without slip, with the sign of platform over ball instead of ball over platform. With "
         r"constraint rollers in place of the wheels the ball could not roll at all without slip: "
         r"along their axes its surface moves by $\frac{L}{\rho}(\cos\beta_k\,v_x + \sin\beta_k\,"
-        r"v_y)$, whatever $\phi$ is, and no $\mathbf{v}$ makes all three of these zero.",
+        r"v_y)$, whatever $\phi$ is, and no $\mathbf{v}$ but zero makes all three vanish.",
         (BALLBOT, THREE),
         (
             Step(

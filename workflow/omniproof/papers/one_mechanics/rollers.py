@@ -239,9 +239,10 @@ THEOREMS = (
         (TWO, THREE),
         (
             Step(
-                r"$\boldsymbol\omega = (\nu_2\cos\alpha_2\,\mathbf{p}_1 - \nu_1\cos\alpha_1\,"
-                r"\mathbf{p}_2)/(r\sin\beta) - (\nu_1\sin\alpha_1 + \nu_2\sin\alpha_2)\,"
-                r"\mathbf{e}/(2r)$ solves the normal equations, wherever the contacts are.",
+                r"$\boldsymbol\omega_t = (\nu_2\cos\alpha_2\,\mathbf{p}_1 - \nu_1\cos\alpha_1\,"
+                r"\mathbf{p}_2)/(r\sin\beta)$ and $\boldsymbol\omega_s = -(\nu_1\sin\alpha_1 + "
+                r"\nu_2\sin\alpha_2)\,\mathbf{e}/(2r)$ add up to the solution of the normal "
+                r"equations, wherever the contacts are.",
                 _closed_form,
             ),
             Step(
@@ -283,9 +284,10 @@ THEOREMS = (
                 _only_along_the_contact,
             ),
             Step(
-                r"Two rollers: $\mathbf{e}_1\times\mathbf{e}_2 = \sin\alpha_1\sin\alpha_2"
-                r"\sin\beta\,\mathbf{e} - \sin\alpha_1\cos\alpha_2\,\mathbf{p}_1 + "
-                r"\cos\alpha_1\sin\alpha_2\,\mathbf{p}_2$; that is zero only if both sines are.",
+                r"Two rollers: $\mathbf{e}_1\times\mathbf{e}_2$ has the components $\sin\alpha_1"
+                r"\sin\alpha_2\sin\beta$ along $\mathbf{e}$, $-\sin\alpha_1\cos\alpha_2$ along "
+                r"$\mathbf{p}_1$ and $\cos\alpha_1\sin\alpha_2$ along $\mathbf{p}_2$: all are zero "
+                r"only if both sines are.",
                 _parallel_pair,
             ),
             Step(
