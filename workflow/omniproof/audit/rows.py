@@ -37,8 +37,8 @@ def start(claim: Claim, context: Context, row_id: str = "") -> Row:
         verdict=Verdict.UNDECIDED,
         source=claim.source,
         reading=claim.reading,
-        printed=claim.printed or context.printed(claim.id) or claim.says,
-        note=_sentence(claim.says) if claim.latex or claim.printed else "",
+        printed=claim.printed or context.printed(claim.id) or claim.quote or claim.says,
+        note=_sentence(claim.says) if claim.latex or claim.printed or claim.quote else "",
     )
 
 
