@@ -1,15 +1,24 @@
-"""What follows for this paper's elimination and the paper does not print: when it works."""
+"""What follows and the paper does not print: when its elimination works, what level axes leave."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from sympy import Expr, ImmutableMatrix, symbols
+from sympy import Expr, ImmutableMatrix, sin, symbols
 
 from omniproof.kinematics import sphere
 from omniproof.papers.three_roller_sphere.derivations import elimination
 from omniproof.papers.three_roller_sphere.derivations.quantities import COEFFICIENTS, sum_at
-from omniproof.papers.three_roller_sphere.rollers import POINT, ROLLERS
+from omniproof.papers.three_roller_sphere.rollers import (
+    ELEVATION,
+    POINT,
+    ROLLERS,
+    Roller,
+    optimum,
+    pattern,
+    pattern_slips,
+)
 from omniproof.registry import Obligation, Step, Theorem
 from omniproof.transcription.model import Form
 
@@ -60,6 +69,40 @@ def _least_value() -> Sequence[Obligation]:
     return [_equal(at_optimum, e_10 - e_9**2 / (4 * e_3))]
 
 
+# Level axes
+
+SPEEDS = symbols("nu_1 nu_2 nu_3", real=True)
+
+
+def _triangle() -> tuple[Roller, ...]:
+    """Rollers of a pattern at any elevation, with any rim speeds."""
+    return tuple(
+        replace(roller, speed=speed) for roller, speed in zip(pattern(), SPEEDS, strict=True)
+    )
+
+
+def _no_spin_upright() -> Sequence[Obligation]:
+    return [_equal(optimum(_triangle())[2], POINT[2] * 0)]
+
+
+def _equal_speeds() -> Sequence[Obligation]:
+    """Spin of equal speeds, and the slip of each roller."""
+    rollers = tuple(replace(roller, speed=SPEEDS[0]) for roller in _triangle())
+    spin = optimum(rollers)
+    slips = [roller.slip(spin) for roller in rollers]
+    return [
+        *(_equal(entry, POINT[0] * 0) for entry in spin),
+        *(_equal(slip.dot(slip), SPEEDS[0] ** 2) for slip in slips),
+    ]
+
+
+def _sum_of_squares() -> Sequence[Obligation]:
+    """Squared slips of a pattern, all three together."""
+    total = sum(slip.dot(slip) for slip in pattern_slips())
+    raised = sin(ELEVATION) ** 2
+    return [_equal(2 * (1 + raised) * total, 3 * raised)]
+
+
 THEOREMS = (
     Theorem(
         "thm:pivots-of-elimination",
@@ -88,6 +131,22 @@ THEOREMS = (
                 _on_one_line,
             ),
             Step("The value of the quadratic form at its optimum.", _least_value),
+        ),
+    ),
+    Theorem(
+        "thm:level-axes",
+        "Three rollers with level axes turn the sphere in two ways only",
+        r"In all four patterns, and at every elevation $\beta$ short of the pole, three rim speeds "
+        r"give $\omega_z = 0$, whatever they are. Equal speeds $\nu$ give no spin at all: the "
+        r"sphere stands still and all three rollers slip at $|\nu|$. The inputs of the paper leave "
+        r"these out, for they add up to zero. With them the slip moves from roller to roller, and "
+        r"the sum of the squares stays: it is $\frac{3\sin^2\beta}{2(1 + \sin^2\beta)}$ (m/s)² "
+        r"for all $\varphi$.",
+        ("three-roller-sphere",),
+        (
+            Step("The vertical part of the spin, for any speeds.", _no_spin_upright),
+            Step("Equal speeds.", _equal_speeds),
+            Step("The sum of the squared slips with the printed inputs.", _sum_of_squares),
         ),
     ),
 )
