@@ -198,7 +198,7 @@ def determined_axis() -> Relation:
         condition=(
             r"(\mathbf{X} \times \mathbf{Y})_z \neq 0 \text{, in the arrangement of Section 3 }"
             r" \tan\alpha_1 \neq \frac{2}{\sqrt{3} \tan 55^\circ} \text{, that is, }"
-            r" \alpha_1 \neq 38.95^\circ"
+            r" \alpha_1 \neq 38.96^\circ"
         ),
         proof=(Obligation(Form.POSITIVE, printed),),
     )

@@ -183,8 +183,8 @@ def speeds_of_first() -> Relation:
         r"\tan\phi < -\frac{b_3 - b_2}{a_3 - a_2} \text{ or } "
         r"\tan\phi > -\frac{b_0 + b_1}{a_0 + a_1} \text{ with } "
         r"\nu_{1,k} = a_k \sin\phi + b_k \cos\phi \text{; it fails for } "
-        r"91.73^\circ \leq \phi \leq 121.53^\circ \text{ and } "
-        r"271.73^\circ \leq \phi \leq 301.53^\circ",
+        r"91.73^\circ \leq \phi \leq 121.55^\circ \text{ and } "
+        r"271.73^\circ \leq \phi \leq 301.55^\circ",
     )
 
 
@@ -196,8 +196,8 @@ def speeds_of_second() -> Relation:
         r"\tan\phi > -\frac{b_3 - b_2}{a_3 - a_2} \text{ or } "
         r"\tan\phi < -\frac{b_0 + b_1}{a_0 + a_1} \text{ with } "
         r"\nu_{2,k} = a_k \sin\phi + b_k \cos\phi \text{; it fails for } "
-        r"58.47^\circ \leq \phi \leq 88.27^\circ \text{ and } "
-        r"238.47^\circ \leq \phi \leq 268.27^\circ",
+        r"58.45^\circ \leq \phi \leq 88.27^\circ \text{ and } "
+        r"238.45^\circ \leq \phi \leq 268.27^\circ",
     )
 
 
