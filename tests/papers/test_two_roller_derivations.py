@@ -10,7 +10,19 @@ from typing import Any
 import pytest
 from at_points import Point, digits, number, random_point, same
 from by_hand import cross, length
-from mpmath import atan, cos, lu_solve, matrix, mpf, pi, radians, sin, tan
+from mpmath import atan, cos, mpf, pi, radians, sin, tan
+from sphere_by_hand import (
+    Roller,
+    Vector,
+    added,
+    best_spin,
+    dot,
+    drives,
+    in_plane,
+    motion,
+    scaled,
+    slip,
+)
 from sympy import Expr, MatrixBase, rad
 
 from omniproof.kinematics import rolling
@@ -22,9 +34,6 @@ from omniproof.registry import Curve, Family, Ordered, Relation
 
 SEEDS = (1, 2, 3)
 OURS = "omniproof.papers.two_roller_sphere"
-Vector = list[Any]
-Roller = tuple[Vector, Vector, Any]
-"""Contact direction, axis, rim speed."""
 POSITIVE = ("r", "V", "k_0", "d_1", "d_2", "delta")
 
 # Plain numbers: rigid bodies, and least squares
@@ -35,51 +44,6 @@ def point(seed: int) -> Point:
     for name in POSITIVE:
         found[name] = abs(found[name])
     return found
-
-
-def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
-    return sum(x * y for x, y in zip(a, b, strict=True))
-
-
-def scaled(factor: Any, a: Sequence[Any]) -> Vector:
-    return [factor * x for x in a]
-
-
-def less(a: Sequence[Any], b: Sequence[Any]) -> Vector:
-    return [x - y for x, y in zip(a, b, strict=True)]
-
-
-def added(a: Sequence[Any], b: Sequence[Any]) -> Vector:
-    return [x + y for x, y in zip(a, b, strict=True)]
-
-
-def in_plane(azimuth: Any, angle: Any, speed: Any) -> Roller:
-    """Roller on the equator; its axis is turned out of the equator by its angle."""
-    contact = [cos(azimuth), sin(azimuth), mpf(0)]
-    axis = [-sin(azimuth) * cos(angle), cos(azimuth) * cos(angle), sin(angle)]
-    return contact, axis, speed
-
-
-def drives(roller: Roller) -> Vector:
-    """Velocity of the rim: a roller turns about its axis, and drives across it."""
-    contact, axis, speed = roller
-    return scaled(speed, cross(contact, axis))
-
-
-def slip(spin: Sequence[Any], roller: Roller, radius: Any) -> Vector:
-    return less(scaled(radius, cross(list(spin), roller[0])), drives(roller))
-
-
-def best_spin(rollers: Sequence[Roller], radius: Any) -> Vector:
-    """Spin with the least sum of squared slips: slips are linear in it."""
-    rows, right = [], []
-    units = [[mpf(i == k) for i in range(3)] for k in range(3)]
-    for roller in rollers:
-        columns = [scaled(radius, cross(unit, roller[0])) for unit in units]
-        rows += [[column[i] for column in columns] for i in range(3)]
-        right += drives(roller)
-    slips = matrix(rows)
-    return list(lu_solve(slips.T * slips, slips.T * matrix(right)))
 
 
 def one(p: Point) -> Roller:
@@ -195,45 +159,6 @@ def test_a_derivation_is_what_plain_numbers_give(claim: str, seed: int) -> None:
 
 
 # The simulation, in plain numbers
-
-
-def in_the_world(case: int) -> list[Roller]:
-    """Both rollers with unit rim speed, as Section 3 places them."""
-    contacts = [
-        [cos(radians(60)) * cos(radians(a)), cos(radians(60)) * sin(radians(a)), sin(radians(60))]
-        for a in (215, 325)
-    ]
-    normal = cross(*contacts)
-    normal = scaled(1 / length(normal), normal)
-    rollers = []
-    for contact, side in zip(contacts, (1, -1), strict=True):
-        angle = radians(10 * case * side)
-        across = cross(normal, contact)
-        rollers.append((contact, added(scaled(cos(angle), across), scaled(sin(angle), normal)), 1))
-    return rollers
-
-
-def motion(case: int, phi: Any) -> tuple[Vector, Vector, list[Vector]]:
-    """Rim speeds, spin and slips with which the sphere travels along phi (r = V = 1)."""
-    both_rollers = in_the_world(case)
-    columns = [
-        best_spin(
-            [
-                (contact, axis, int(k == chosen))
-                for k, (contact, axis, _) in enumerate(both_rollers)
-            ],
-            1,
-        )
-        for chosen in (0, 1)
-    ]
-    rows = [[columns[0][k], columns[1][k], -mpf(k == 2)] for k in range(3)]
-    *speeds, vertical = lu_solve(matrix(rows), matrix([-sin(phi), cos(phi), 0]))
-    spin = [-sin(phi), cos(phi), vertical]
-    slips = [
-        slip(spin, (contact, axis, speed), 1)
-        for (contact, axis, _), speed in zip(both_rollers, speeds, strict=True)
-    ]
-    return speeds, spin, slips  # fmt: skip
 
 
 def in_case(expression: Expr, case: int, degrees: Any) -> Any:
