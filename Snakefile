@@ -29,7 +29,7 @@ rule all:
         theorems="results/theorems.json",
         mutation="results/mutation.json",
         tables=expand("{table}", table=tables_of(*settings.papers)),
-        figures=figures_of(*settings.papers),
+        figures=figures_of(*settings.told),
         chapters=expand("results/notebooks/{chapter}.ipynb", chapter=settings.chapters),
         book="book/_build/html/index.html",
         validation="results/validation.txt",

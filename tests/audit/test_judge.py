@@ -42,7 +42,7 @@ ROWS = [
         follows="eq:6[2,3]"),
     row("eq:16[1]", "model-gap", "right by the premise, wrong by mechanics", printed="x",
         derived=r"x \cos {y}", correction=r"x \cos {y}", repair="manual", consequence="motion",
-        witness="x=20/9; y=-26/9; printed=2.222; derived=-2.152"),
+        assumption="it rests", witness="x=20/9; y=-26/9; printed=2.222; derived=-2.152"),
     row("eq:16[2]", "verified", "premise and mechanics agree", printed="y", derived="y"),
     row("eq:16[3]", "erratum", "wrong by the premise too", printed="2 x",
         derived=r"x \cos {y}", correction=r"x \cos {y}", repair="manual", consequence="motion",
@@ -105,6 +105,9 @@ ROWS = [
     row("tab:2[wrong,value]", "erratum", "pi is not 5", printed="5.00", derived=r"\pi",
         correction="3.14", repair="manual", interval="3.14159; [4.995, 5.005]",
         consequence="number", witness="printed=5.00; derived=3.14159"),
+    row("tab:2[count,value]", "erratum", "a count is not rounded", printed="4", derived="3",
+        correction="3", repair="manual", interval="3.00000; [3.5, 4.5]",
+        consequence="number", witness="printed=4; derived=3.00000"),
     row("xref:sec-2-cites-eq-1", "verified", "Eq. (1) has x", printed="x"),
     row("xref:sec-3-cites-eq-1", "erratum", "Eq. (1) has no y, Eq. (11) is y", printed="y",
         correction="eq:11", repair="manual", consequence="text"),
@@ -161,11 +164,11 @@ def test_engines_and_notes(name: str, engines: str, note: str, rows: dict[str, R
 def test_rows_stand_in_order_of_place_and_claims_are_counted_without_entries(
     tiny_ledger: Ledger,
 ) -> None:
-    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 44)
+    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 45)
     assert [row.id for row in tiny_ledger.rows[:9]] == [
         "eq:1", "eq:6[1,1]", "eq:6[1,2]", "eq:6[1,3]", "eq:6[2,1]", "eq:6[2,2]", "eq:6[2,3]",
         "eq:7", "eq:8"]  # fmt: skip
-    assert len(tiny_ledger.rows) == 44 + 5 + 2
+    assert len(tiny_ledger.rows) == 45 + 5 + 2
 
 
 def test_the_same_paper_gives_the_same_bytes(tiny_folder: Path, tiny_ledger: Ledger) -> None:

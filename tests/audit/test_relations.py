@@ -68,6 +68,8 @@ STATEMENTS = [
     false("chain", Ordered((t, sin(t)), HALF), "t > sin t"),
     true("chain", Ordered((-x * x - 1, y * y), SQUARE), "of two variables"),
     false("chain", Ordered((-x * x, y * y), SQUARE), "equal at the origin"),
+    true("chain", Ordered((Integer(0), Abs(sin(t)) / 2, Abs(sin(t))), HALF), "absolute values"),
+    false("chain", Ordered((2 * cos(t), sin(t)), HALF), "from arctan 2 on, of no known form"),
 ]  # fmt: skip
 
 

@@ -162,6 +162,7 @@ tie,0.13
 truncated,2.71
 neighbour,3.13
 wrong,5.00
+count,4
 """
 VALUES = {
     "exact": Integer(4),
@@ -170,6 +171,7 @@ VALUES = {
     "truncated": Rational(2718, 1000),
     "neighbour": pi,
     "wrong": pi,
+    "count": Integer(3),
 }
 READINGS = {
     "xref:sec-3-cites-2": Read(verdict=Verdict.VERIFIED, reason="the title says so"),

@@ -78,8 +78,8 @@ def test_words_say_what_and_how(paper: str, number: int | str) -> None:
     assert made.title
     assert len(made.alt) > 60
     assert "nan" not in made.alt.lower().split()
-    said = REDRAWN if isinstance(number, int) else "The paper has no such figure."
-    assert said in made.caption
+    own = re.compile("The paper has no such figure|The papers have no such figure")
+    assert REDRAWN in made.caption if isinstance(number, int) else own.search(made.caption)
 
 
 @pytest.mark.parametrize(("paper", "number"), EVERY)

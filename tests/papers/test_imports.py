@@ -23,7 +23,9 @@ STANDARD = {
 }
 ANY_NAME = STANDARD | {"sympy", "omniproof.registry"}
 SOME_NAMES = {
-    "omniproof.kinematics": {"ballbot", "frames", "omni", "rolling", "trajectory", "zonotope"},
+    "omniproof.kinematics": {
+        "ballbot", "frames", "omni", "rolling", "sphere", "trajectory", "zonotope"
+    },
     "omniproof.transcription.model": {"Form"},
 }  # fmt: skip
 

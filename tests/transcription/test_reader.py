@@ -114,6 +114,7 @@ TREES = [
         id="set by a condition on several",
     ),
     pytest.param(r"\langle a, b \rangle", Inner(A, B), id="inner product"),
+    pytest.param(r"\angle P_1OX - a", Sum((Name(r"\angle P_1OX"), Negative(A))), id="angle"),
     pytest.param(r"\|a \times b\|", Norm(Cross(A, B)), id="norm"),
     pytest.param("|a||b|", Product((Absolute(A), Absolute(B))), id="bars side by side"),
     pytest.param(

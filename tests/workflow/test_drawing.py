@@ -57,5 +57,5 @@ def test_same_bytes(paper, tmp_path):
 
 def test_figures_of_every_paper_have_the_numbers_of_the_configuration(root):
     settings = read_settings(Path("workflow/config.yaml"), root=root)
-    for paper, made in settings.papers.items():
+    for paper, made in settings.told.items():
         assert tuple(drawing.load_figures(paper)) == made.pictures

@@ -143,6 +143,17 @@ def test_source_is_input_where_it_is_used_only(jobs, source, steps):
     assert {job["rule"] for job in jobs if file in files(job, "input")} == steps
 
 
+def test_what_a_chapter_imports_is_an_input(jobs, root):
+    """Else an edit of the numbers or tables of a chapter would leave the old page."""
+    chapters = [job for job in jobs if job["rule"] == "notebook"]
+    assert chapters
+    for job in chapters:
+        (source,) = job["input"]["source"]
+        modules = re.findall(r"^from omniproof\.([\w.]+) import", (root / source).read_text(), re.M)
+        needed = {str(file.relative_to(root)) for file in sources(*modules)}
+        assert sorted(needed - set(files(job, "input"))) == []
+
+
 def test_derivations_belong_to_their_paper(jobs):
     for job in jobs:
         folders = (re.search(r"/papers/([a-z_]+)/", file) for file in files(job, "input"))

@@ -63,7 +63,7 @@ def test_command_line_comes_first(folder):
             "config.yaml:1:1: chapters: expected this key, found none\n"
             "    add it\n"
             "config.yaml:5:1: zzz: expected a known key, found another\n"
-            "    known: chapters, mutation, papers",
+            "    known: chapters, mutation, papers, topics",
             id="missing and unknown key",
         ),
         pytest.param(
@@ -137,6 +137,27 @@ def test_paper_without_derivations(folder):
     (folder / "workflow/omniproof/papers/one_wheel/derivations.py").unlink()
     with pytest.raises(
         BadInput, match="no module derivations in workflow/omniproof/papers/one_wheel"
+    ):
+        read_settings(FILE, root=folder)
+
+
+def test_topic_has_drawings_and_no_printed_tables(folder):
+    (folder / "workflow/omniproof/papers/two_wheels").mkdir()
+    (folder / "workflow/omniproof/papers/two_wheels/theorems.py").touch()
+    text = GOOD.replace("chapters:", "topics:\n  two-wheels:\n    drawings: [axes]\nchapters:")
+    (folder / FILE).write_text(text)
+    settings = read_settings(FILE, root=folder)
+    assert settings.topics["two-wheels"].pictures == ("axes",)
+    assert list(settings.told) == ["one-wheel", "two-wheels"]
+    (folder / FILE).write_text(text.replace("drawings: [axes]", "tables: [1]"))
+    with pytest.raises(BadInput, match=r"topics\.two-wheels\.tables: expected a known key"):
+        read_settings(FILE, root=folder)
+
+
+def test_topic_without_theorems(folder):
+    (folder / FILE).write_text(GOOD.replace("chapters:", "topics:\n  two-wheels: {}\nchapters:"))
+    with pytest.raises(
+        BadInput, match="no module theorems in workflow/omniproof/papers/two_wheels"
     ):
         read_settings(FILE, root=folder)
 

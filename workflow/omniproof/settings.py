@@ -22,17 +22,27 @@ Place = tuple[int | str, ...]
 NOTHING: Mapping[str, Any] = {}
 
 
-class PaperSettings(BaseModel):
+class TopicSettings(BaseModel):
+    """What is made for a topic of several papers; `drawings` are figures of our own, by name."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    drawings: tuple[Key, ...] = ()
+
+    @property
+    def pictures(self) -> tuple[int | str, ...]:
+        """Numbers and names of all that is drawn."""
+        return self.drawings
+
+
+class PaperSettings(TopicSettings):
     """What is made for one paper: its tables and figures, by the numbers of their captions.
 
     `drawings` are figures that the paper does not have, by name.
     """
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
-
     tables: tuple[Number, ...] = ()
     figures: tuple[Number, ...] = ()
-    drawings: tuple[Key, ...] = ()
 
     @property
     def pictures(self) -> tuple[int | str, ...]:
@@ -50,13 +60,22 @@ class MutationSettings(BaseModel):
 
 
 class Settings(BaseModel):
-    """What is built: papers by key, the chapters of the report, the sample of mutants."""
+    """What is built: papers and topics by key, the chapters of the report, the sample of mutants.
+
+    A topic is what several papers say together: it has theorems and drawings, and nothing printed.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     papers: dict[Key, PaperSettings] = Field(min_length=1)
+    topics: dict[Key, TopicSettings] = Field(default_factory=dict)
     chapters: tuple[Key, ...] = Field(min_length=1)
     mutation: MutationSettings = MutationSettings()
+
+    @property
+    def told(self) -> Mapping[str, TopicSettings]:
+        """All that theorems are proved and pictures drawn for: papers, then topics."""
+        return {**self.papers, **self.topics}
 
 
 def read_settings(
@@ -82,7 +101,7 @@ def read_settings(
 
 
 def module_name(paper: str) -> str:
-    """Return the name of a paper's subpackage: `omni-arrangement` -> `omni_arrangement`."""
+    """Return the name of a paper's or topic's subpackage: `one-wheel` -> `one_wheel`."""
     return paper.replace("-", "_")
 
 
@@ -103,7 +122,7 @@ def _load(file: Path, text: str) -> Mapping[str, Any]:
 
 
 def _absent(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
-    """Yield place, message and cure for every paper or chapter without its files."""
+    """Yield place, message and cure for every paper, topic or chapter without its files."""
     papers = sorted(file.parent.name for file in root.glob("paper_data/*/paper.yaml"))
     chapters = sorted(file.stem for file in root.glob("notebooks/*.md"))
     for paper in settings.papers:
@@ -117,6 +136,10 @@ def _absent(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
         elif not any((root / code).glob("derivations*")):
             cure = "write what mechanics implies for this paper"
             yield ("papers", paper), f"no module derivations in {code}", cure
+    for topic in settings.topics:
+        code = f"workflow/omniproof/papers/{module_name(topic)}"
+        if not any((root / code).glob("theorems*")):
+            yield ("topics", topic), f"no module theorems in {code}", "write what is proved there"
     for position, chapter in enumerate(settings.chapters):
         if chapter not in chapters:
             place = ("chapters", position)
@@ -147,7 +170,11 @@ def _owner(place: Place) -> type[BaseModel]:
     """Return the record that the key at a place belongs to."""
     if len(place) == 1:
         return Settings
-    return MutationSettings if place[0] == "mutation" else PaperSettings
+    owners: dict[str, type[BaseModel]] = {
+        "mutation": MutationSettings,
+        "topics": TopicSettings,
+    }
+    return owners.get(str(place[0]), PaperSettings)
 
 
 def _nearest(word: str, known: Sequence[str]) -> str:

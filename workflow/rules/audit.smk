@@ -55,7 +55,7 @@ rule ledger:
 rule theorems:
     """Prove what no paper prints"""
     input:
-        papers=theorems_of(*settings.papers),
+        papers=theorems_of(*settings.told),
         package=package("audit.theorems"),
     output:
         theorems=report(
@@ -65,7 +65,7 @@ rule theorems:
             labels={"what": "theorems"},
         ),
     params:
-        papers=list(settings.papers),
+        papers=list(settings.told),
     log:
         "logs/theorems.log",
     benchmark:

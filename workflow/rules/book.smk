@@ -27,8 +27,8 @@ rule book:
         table="results/ledger.csv",
         theorems="results/theorems.json",
         tables=tables_of(*settings.papers),
-        figures=figures_of(*settings.papers),
-        data=figures_of(*settings.papers, suffix="csv"),
+        figures=figures_of(*settings.told),
+        data=figures_of(*settings.told, suffix="csv"),
         package=package("report.book"),
     output:
         # A build that fails leaves the earlier report as it was.
@@ -46,7 +46,7 @@ rule validate:
     input:
         index="book/_build/html/index.html",
         ledgers=ledgers_of(*settings.papers),
-        figures=figures_of(*settings.papers),
+        figures=figures_of(*settings.told),
         package=package("report.validate"),
     output:
         validation="results/validation.txt",

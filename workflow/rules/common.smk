@@ -3,6 +3,7 @@ What the files beside it share: checked settings, the environment of all steps, 
 """
 
 import os
+import re
 from pathlib import Path
 
 from omniproof.settings import module_name, read_settings
@@ -47,7 +48,7 @@ def paper_data(paper):
 
 
 def theorems_of(*papers):
-    """Return the source files of the papers' theorems; a paper may have none."""
+    """Return the source files of the theorems of papers and topics; a paper may have none."""
     folders = {paper: Path("workflow/omniproof/papers", module_name(paper)) for paper in papers}
     proved = [paper for paper, folder in folders.items() if any(folder.glob("theorems*"))]
     return sorted({file for paper in proved for file in paper_module(paper, "theorems")})
@@ -73,22 +74,33 @@ def tables_of(*papers):
 
 
 def figures_of(*papers, suffix="svg"):
-    """Return the pictures of papers, or their data with suffix csv."""
+    """Return the pictures of papers and topics, or their data with suffix csv."""
     return [
         f"results/figures/{paper}/figure-{number}.{suffix}"
         for paper in papers
-        for number in settings.papers[paper].pictures
+        for number in settings.told[paper].pictures
     ]
 
 
 def abouts_of(*papers):
-    """Return what is said of the figures of papers: titles, captions, alt texts."""
+    """Return what is said of the figures of papers and topics: titles, captions, alt texts."""
     return [f"results/figures/{paper}/figures.json" for paper in papers]
 
 
 def papers_of(chapter):
     """Return the papers that a chapter tells: its own, or all for a chapter about all."""
     return [chapter] if chapter in settings.papers else list(settings.papers)
+
+
+def told_in(chapter):
+    """Return the papers and topics whose figures a chapter may show."""
+    return [chapter] if chapter in settings.papers else list(settings.told)
+
+
+def code_of(chapter):
+    """Return the source files of what a chapter imports from the package."""
+    text = Path("notebooks", f"{chapter}.md").read_text(encoding="utf-8")
+    return package(*re.findall(r"^from omniproof\.([\w.]+) import", text, re.MULTILINE))
 
 
 def mutation_of(chapter):

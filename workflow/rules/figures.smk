@@ -1,5 +1,5 @@
 """
-This part of the workflow draws the figures of papers from computed data.
+This part of the workflow draws the figures of papers and topics from computed data.
 
 REQUIRED INPUTS:
     drawings = workflow/omniproof/papers/{paper}/figures*
@@ -10,8 +10,8 @@ OUTPUTS:
     abouts   = results/figures/{paper}/figures.json
 """
 
-# One rule a paper, since papers differ in how many figures they have.
-for paper, made in settings.papers.items():
+# One rule each, since papers and topics differ in how many figures they have.
+for paper, made in settings.told.items():
 
     rule:
         """Draw the figures of {params.paper}"""

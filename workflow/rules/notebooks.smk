@@ -23,9 +23,9 @@ rule notebook:
         theorems="results/theorems.json",
         mutation=lambda wildcards: mutation_of(wildcards.chapter),
         tables=lambda wildcards: tables_of(*papers_of(wildcards.chapter)),
-        figures=lambda wildcards: figures_of(*papers_of(wildcards.chapter)),
-        abouts=lambda wildcards: abouts_of(*papers_of(wildcards.chapter)),
-        package=package("report.notebook", "report.fragments"),
+        figures=lambda wildcards: figures_of(*told_in(wildcards.chapter)),
+        abouts=lambda wildcards: abouts_of(*told_in(wildcards.chapter)),
+        package=lambda wildcards: [*package("report.notebook"), *code_of(wildcards.chapter)],
     output:
         chapter="results/notebooks/{chapter}.ipynb",
     log:

@@ -12,14 +12,15 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.exact import subtract
 from omniproof.audit.intervals import Piece, condition_latex, in_degrees
-from omniproof.audit.quotient import OnBox
-from omniproof.audit.signs import OPEN, Closed, sign_on
+from omniproof.audit.quotient import OnBox, Quotient
+from omniproof.audit.signs import OPEN, Closed, guarded, sign_on
 from omniproof.registry import Ordered
 
 ENGINE = ("flint",)
+LONGEST = 300
 
 
 def holds(chain: Ordered, closed: Closed = OPEN) -> Answer:
@@ -33,16 +34,17 @@ def holds(chain: Ordered, closed: Closed = OPEN) -> Answer:
     if len(chain.terms) < 2:
         return Undecided("one term is compared with nothing")
     links = [
-        (sign_on(OnBox(subtract(right, left), chain.box), 1, closed=closed), left, right)
-        for left, right in pairwise(chain.terms)
+        (_order(OnBox(subtract(right, left), chain.box), closed), left, right)
+        for left, right in pairwise(_without_bars(chain.terms))
     ]
     if all(isinstance(answer, Proved) for answer, _, _ in links):
         return Proved(ENGINE)
     for answer, left, right in links:
         if isinstance(answer, Refuted) or (isinstance(answer, OnBranch) and len(chain.box) > 1):
-            where = "never" if len(chain.box) == 1 else "not always"
-            told = f"${sp.latex(left)} < {sp.latex(right)}$ holds {where}"
-            return Refuted(ENGINE, answer.witness, told)
+            where = "never" if len(chain.box) == 1 and not answer.note else "not always"
+            link = f"${sp.latex(left)} < {sp.latex(right)}$"
+            shown = link if len(link) < LONGEST else "a link"
+            return Refuted(ENGINE, answer.witness, f"{shown} holds {where}")
     for answer, _, _ in links:
         if isinstance(answer, Undecided):
             return answer
@@ -50,10 +52,33 @@ def holds(chain: Ordered, closed: Closed = OPEN) -> Answer:
     return _in_parts(parts, chain, closed)
 
 
+def _without_bars(terms: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+    """Square absolute values: that keeps their order, and leaves no kinks."""
+    if any(term.has(sp.Abs) for term in terms) and all(term.is_nonnegative for term in terms):
+        return tuple(term**2 for term in terms)
+    return terms
+
+
+def _order(difference: OnBox, closed: Closed) -> Answer:
+    """Decide where a difference is positive; a point where it is negative refutes in any case."""
+    answer = sign_on(difference, 1, closed=closed)
+    if not isinstance(answer, Undecided):
+        return answer
+    return guarded(lambda: _counterexample(Quotient.of(difference), answer))
+
+
+def _counterexample(function: Quotient, otherwise: Undecided) -> Answer:
+    wrong = function.find(function.value, -1)
+    if wrong is None:
+        return otherwise
+    witness = Witness(function.name(wrong), "> 0", function.digits(wrong))
+    return Refuted(ENGINE, witness, otherwise.reason)
+
+
 def _in_parts(answers: list[OnBranch], chain: Ordered, closed: Closed) -> Answer:
     ((symbol, (lower, upper)),) = chain.box.items()
     left, right = closed.get(symbol, (False, False))
-    kept = sp.Intersection(*(answer.relations[0].as_set() for answer in answers))
+    kept = sp.Intersection(*(_as_set(answer.relations[0]) for answer in answers))
     if kept is sp.S.EmptySet:
         return Refuted(ENGINE, answers[0].witness, "its links hold nowhere together")
     poles = [end for end in _ends(kept) if not _defined(chain.terms, symbol, end)]
@@ -63,6 +88,19 @@ def _in_parts(answers: list[OnBranch], chain: Ordered, closed: Closed) -> Answer
     condition = condition_latex(symbol, pieces)
     relation = sp.Or(*(piece.relation(symbol) for piece in pieces))
     return OnBranch(ENGINE, condition, answers[0].witness, note, (relation,))
+
+
+def _as_set(condition: sp.Basic) -> sp.Set:
+    """Read intervals off a condition; SymPy's own `as_set` looks for periods, which takes long."""
+    parts = condition.args if isinstance(condition, sp.Or) else (condition,)
+    return sp.Union(*(_interval(part.args) for part in parts))
+
+
+def _interval(bounds: Iterable[Any]) -> sp.Interval:
+    """Read `lower < x` and `x <= upper`, in any order."""
+    low, high = sorted(bounds, key=lambda bound: bool(bound.lts.free_symbols))
+    strict = sp.StrictLessThan, sp.StrictGreaterThan
+    return sp.Interval(low.lts, high.gts, isinstance(low, strict), isinstance(high, strict))
 
 
 def _parts(numbers: sp.Set) -> tuple[sp.Set, ...]:

@@ -98,8 +98,8 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
         return row
     if _follows_from_premises(cell):
         fields = {"verdict": Verdict.MODEL_GAP, "repair": Repair.MANUAL}
-        row = row.model_copy(update={"correction": row.derived, **fields})
-        return with_note(row, f"It follows from a premise that mechanics contradicts: {cell.gap}")
+        row = row.model_copy(update={"correction": row.derived, "assumption": cell.gap, **fields})
+        return with_note(row, "It follows from a premise that mechanics contradicts")
     mended = _mend(cell, place, claim.id, context)
     if mended:
         row = row.model_copy(update={"correction": mended.text, "repair": mended.grade})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sympy import Expr, MatrixBase
@@ -20,7 +20,7 @@ from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sign_cases import equivalent
 from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
 from omniproof.transcription.expression import evaluate
-from omniproof.transcription.model import ID, Claim, Form, Kind
+from omniproof.transcription.model import ID, Claim, Form, Kind, Reading
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Chain, Comparison, Node, names, walk
@@ -45,7 +45,18 @@ def judge_claim(claim: Claim, context: Context) -> list[Row]:
 
 def _judge_uncheckable(claim: Claim, context: Context) -> Row:
     row = start(claim, context).model_copy(update={"verdict": Verdict.UNCHECKABLE})
-    return with_note(row, f"{claim.uncheckable}. Would decide it: {claim.decided_by}")
+    row = with_note(row, f"{claim.uncheckable}. Would decide it: {claim.decided_by}")
+    if claim.reading is Reading.RECONSTRUCTED and claim.id in context.registry.derivations:
+        return _reconstructed(row, judge_identity(claim, context))
+    return row
+
+
+def _reconstructed(row: Row, entries: Sequence[Row]) -> Row:
+    """Say that a reconstruction is what mechanics implies; one that is not is ours to mend."""
+    wrong = [entry.id for entry in entries if entry.verdict is not Verdict.VERIFIED]
+    if wrong:
+        return _undecided(row, f"the reconstruction does not follow from mechanics: {wrong[0]}")
+    return with_note(row, f"The reconstruction follows from mechanics: {entries[0].engines}")
 
 
 _BY_ROUNDING = {
@@ -67,6 +78,8 @@ def _judge_value(claim: Claim, context: Context) -> Row:
     if isinstance(finding, Undecided):
         return answered(row, finding, context)
     verdict = _BY_ROUNDING[finding.rounding]
+    if verdict is Verdict.MISROUNDED and _is_count(claim, value):
+        verdict = Verdict.ERRATUM
     row = row.model_copy(
         update={
             "verdict": verdict,
@@ -86,6 +99,11 @@ def _judge_value(claim: Claim, context: Context) -> Row:
         row.model_copy(update=mended),
         f"{finding.rounding}, relative error {finding.relative_error}",
     )
+
+
+def _is_count(claim: Claim, value: Expr) -> bool:
+    """Whether things are counted: a whole number without unit is right or wrong, never rounded."""
+    return bool(value.is_Integer) and claim.unit == "1" and "." not in str(claim.printed)
 
 
 def _judge_relation(claim: Claim, context: Context) -> Row:

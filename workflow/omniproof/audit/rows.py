@@ -23,12 +23,13 @@ from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
 from omniproof.registry import Family
-from omniproof.transcription.model import Claim
+from omniproof.transcription.model import Claim, Kind
 
 
 def start(claim: Claim, context: Context, row_id: str = "") -> Row:
     """Begin the row of a claim or of one of its entries; its verdict is still open."""
     name = row_id or claim.id
+    quote = claim.quote if claim.kind is Kind.RELATION else None
     return Row(
         paper=context.loaded.paper.key,
         id=name,
@@ -37,8 +38,8 @@ def start(claim: Claim, context: Context, row_id: str = "") -> Row:
         verdict=Verdict.UNDECIDED,
         source=claim.source,
         reading=claim.reading,
-        printed=claim.printed or context.printed(claim.id) or claim.says,
-        note=_sentence(claim.says) if claim.latex or claim.printed else "",
+        printed=claim.printed or context.printed(claim.id) or quote or claim.says,
+        note=_sentence(claim.says) if claim.latex or claim.printed or quote else "",
     )
 
 

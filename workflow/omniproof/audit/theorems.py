@@ -55,7 +55,7 @@ def prove(theorem: Theorem) -> dict[str, Any]:
 
 
 def prove_all(papers: Iterable[str]) -> list[dict[str, Any]]:
-    """Prove the theorems of all papers, in order; a paper without theorems adds none."""
+    """Prove the theorems of all papers and topics, in order; one without theorems adds none."""
     return [prove(theorem) for paper in papers for theorem in _theorems(paper)]
 
 

@@ -18,20 +18,15 @@ from sympy import (
     Expr,
     ImmutableMatrix,
     MatrixBase,
-    Rational,
     Symbol,
     cos,
     diag,
     expand,
     sin,
-    trigsimp,
 )
 
 from omniproof.kinematics import rolling
-from omniproof.kinematics.scalars import Scalar, exact, tidy
-
-DIGITS = 60
-"""Working precision of the test for singular numbers; below 10^-40 counts as zero."""
+from omniproof.kinematics.scalars import Scalar, exact, tidy, vanishes
 
 
 def rolling_speed(
@@ -111,7 +106,7 @@ def twist_matrix(matrix: MatrixBase) -> ImmutableMatrix:
         raise ValueError(f"expected a matrix N x 3 with N >= 3, got {wheels} x {columns}")
     square = matrix if wheels == 3 else (matrix.T * matrix).applyfunc(expand)
     determinant = square.det(method="berkowitz")
-    if _vanishes(determinant):
+    if vanishes(determinant):
         raise ValueError("the wheel matrix is singular: some motion turns no wheel")
     inverse = square.adjugate(method="berkowitz") / determinant
     return ImmutableMatrix(inverse if wheels == 3 else inverse * matrix.T)
@@ -136,13 +131,3 @@ def _row(direction: MatrixBase, position: MatrixBase) -> list[Expr]:
 
 def _unit_vector(angle: Expr) -> ImmutableMatrix:
     return ImmutableMatrix([cos(angle), sin(angle)])
-
-
-def _vanishes(determinant: Expr) -> bool:
-    """Whether a determinant is zero: numbers to `DIGITS` digits, symbols by expansion.
-
-    SymPy's own `equals` takes minutes on numbers like sin(1/3), which no minimal polynomial has.
-    """
-    if not determinant.free_symbols:
-        return bool(abs(determinant.evalf(DIGITS)) < Rational(1, 10**40))
-    return bool(trigsimp(expand(determinant, trig=True)) == 0)

@@ -17,9 +17,10 @@ from pathlib import Path
 from omniproof.transcription.faults import BadInput, Fault, shorten
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.messages import nearest
-from omniproof.transcription.model import Kind
+from omniproof.transcription.model import Kind, Source
 from omniproof.transcription.paperfile import display_name, read_text
 
+PRINTED = frozenset({Kind.IDENTITY, Kind.VALUE, Kind.REFERENCE})
 COLUMNS = ["line", "item", "text", "claim", "reason"]
 
 NUMBER_WORDS = {
@@ -42,12 +43,15 @@ _NUMBER = r"\d+[a-z]?(?:\s?\([a-z]\))?"
 _AND = r"(?:\s*(?:,|and|or|to|-|–|—|through)\s*(?:and\s*)?"
 RULES = (
     ("tag", r"<[^>]*sup[^>]*>[^<]*<[^>]*sup>|</?[a-z][^>]*>|<https?:[^>]*>|[\w.-]+@[\w.-]+"),
+    ("tag", r"<\|[^|>]*\|>"),
     ("equation", rf"\\q?quad\s*{_LABEL}|\\tag\s*\{{[^{{}}]*\}}"),
-    ("reference", rf"\bEqs?\.?\s*\([A-Z]?[,.]?\d+(?:-\d+)?\){_AND}\([A-Z]?[,.]?\d+(?:-\d+)?\))*"),
+    ("reference", rf"\bEq(?:s?\.?|uations?)\s*\([A-Z]?[,.]?\d+(?:-\d+)?\)"
+                  rf"{_AND}\([A-Z]?[,.]?\d+(?:-\d+)?\))*"),
     ("reference", rf"\b(?:Figures?|Figs?\.|Tables?|Chapters?|Sections?)\s*{_NUMBER}"
                   rf"{_AND}(?:{_NUMBER}|\([a-z]\)))*"),
     ("reference", r"\bAppendix\s*\([A-Z]\)"),
     ("reference", r"\[\d+\]"),
+    ("equation", r"\([A-Z]\.\d+\)(?=\s*$)"),
     ("script", r"[_^]\s*(?:\{[^{}]*\}|\\[A-Za-z]+|\d)|\\text\s*\{\s*\[[^\]]*\]\s*\}"),
     ("comparison", "|".join(COMPARISON_SIGNS)),
     ("comparison", rf"\b(?:{'|'.join(COMPARISON_WORDS.split())})\b"),
@@ -161,11 +165,14 @@ def _unknown_claims(rows: Iterable[Row], loaded: LoadedPaper, name: str) -> Iter
 
 
 def _unlisted_claims(rows: Iterable[Row], loaded: LoadedPaper) -> Iterator[Fault]:
-    """Claims that rest on something printed as an item, and that no row names."""
+    """Claims that rest on something printed as an item, and that no row names.
+
+    Of a lost display nothing is printed.
+    """
     named = {claim for row in rows for claim in row.claims}
     wholes = {_whole(claim) for claim in named}
     for claim in loaded.claims:
-        if claim.kind in {Kind.IDENTITY, Kind.VALUE, Kind.REFERENCE}:
+        if claim.kind in PRINTED and claim.source is not Source.LOST:
             if claim.id in named or (claim.id.startswith("eq:") and _whole(claim.id) in wholes):
                 continue
             place = loaded.positions[claim.id]

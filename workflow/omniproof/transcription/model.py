@@ -152,6 +152,7 @@ class Notation(Record):
     functions: dict[str, str] = Field(default_factory=dict)  # shorthand letter -> function: c: cos
     slash: str | None = Field(default=None, pattern="^(first|all)$")  # what 1/3L divides by
     angles: str | None = Field(default=None, pattern="^degrees$")  # what 90 is in cos(90 + a)
+    glyphs: dict[str, tuple[str, ...]] = Field(default_factory=dict)  # decoding; see `glyphs`
 
 
 class Claim(Record):
@@ -160,7 +161,9 @@ class Claim(Record):
     `line` is the line of the source text (the first line is 1). `latex` and `quote` are verbatim;
     several fragments stand for a display that the source interrupts. `printed` is a decimal for
     kind `value`, and the verbatim wording or symbol to compare for kind `consistency`. `assumes`
-    are inequalities that the paper states for this claim, in LaTeX.
+    are inequalities that the paper states for this claim, in LaTeX. Where the source is re-encoded,
+    `latex` and `quote` are decoded from the piece `glyphs` of the source, with the glyphs that are
+    `lost` there.
     """
 
     id: ClaimId
@@ -178,6 +181,8 @@ class Claim(Record):
     about: Text | None = None
     source: Source = Source.CLEAR
     reading: Reading = Reading.PLAIN
+    glyphs: Text | None = None
+    lost: Text | None = None
     uncheckable: Uncheckable | None = None
     decided_by: Text | None = None
 
@@ -190,6 +195,9 @@ class Claim(Record):
     def _complete(self) -> Self:
         if (self.uncheckable is None) != (self.decided_by is None):
             raise ValueError("`uncheckable` and `decided_by` (what would decide it) go together")
+        decoded = self.reading is Reading.GLYPHS and bool(self.latex or self.quote)
+        if decoded != bool(self.glyphs) or (self.lost and not self.glyphs):
+            raise ValueError("what is decoded (`reading: glyphs`) has `glyphs`, and only that")
         if self.uncheckable is None:
             needs = _NEEDS.get(self.kind)
             if needs and not getattr(self, needs):

@@ -110,7 +110,9 @@ class SymbolReader(Cursor):
 
     def at_symbol(self) -> bool:
         """Whether a symbol starts here; the `d` that ends an integral is none."""
-        return self.peek().kind in {"symbol", "accent", "font"} and not self.at_differential()
+        return (
+            self.peek().kind in {"symbol", "accent", "font", "angle"} and not self.at_differential()
+        )
 
     def at_differential(self) -> bool:
         """Whether the end of an integral starts here: `d` and the variable."""
@@ -127,8 +129,13 @@ class SymbolReader(Cursor):
         return name + self.superscript(name)
 
     def base(self, word: bool = False) -> str:
-        r"""base = letter | greek | declared word | font "{" symbol "}" | accent "{" symbol "}"."""
+        r"""base = letter | greek | declared word | (font | accent) "{" symbol "}" | angle.
+
+        angle = "\angle" symbol symbol symbol, one symbol by its three points.
+        """
         token = self.take()
+        if token.kind == "angle":
+            return f"{token.text} {''.join(self.symbol() for _ in range(3))}"
         if token.kind == "font":
             return self.content(token, word)
         if token.kind == "accent":

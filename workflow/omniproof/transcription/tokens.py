@@ -80,6 +80,7 @@ KINDS = {
     **dict.fromkeys(FUNCTIONS, "function"),
     **dict.fromkeys(OTHERS, "command"),
     **dict.fromkeys(SIGNS, "sign"),
+    "angle": "angle",
 }
 """Commands that are read, without their backslash."""
 

@@ -1,7 +1,8 @@
 """Whether a transcription stands in the source text, word for word and on the stated line.
 
 Blank space is folded, nothing else: a transcription that repairs a misprint must fail here. What
-was re-encoded or reconstructed from a damaged source cannot be verbatim and is passed over.
+is decoded from a damaged source has its glyphs counted (see `glyphs`); what is reconstructed is
+passed over.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from omniproof.transcription.faults import Fault, shorten
+from omniproof.transcription.glyphs import misread
 from omniproof.transcription.loader import FILE, LoadedPaper
 from omniproof.transcription.model import Claim, Kind, Reading
 from omniproof.transcription.paperfile import display_name
@@ -92,7 +94,16 @@ def missing(loaded: LoadedPaper, source: str) -> list[Fault]:
             place = loaded.positions[claim.id]
             path = f"claims[{claim.id}].{key}"
             faults.append(Fault(place.file, place.line, place.column, path, message, cure))
-    return sorted(faults)
+    return sorted([*faults, *_misread(loaded)])
+
+
+def _misread(loaded: LoadedPaper) -> Iterator[Fault]:
+    for claim, difference in misread(loaded.claims, loaded.paper.notation.glyphs):
+        place = loaded.positions[claim.id]
+        message = f"expected the glyphs of the source, found them {difference}"
+        cure = "decode it by `notation.glyphs`, and name what is `lost`"
+        path = f"claims[{claim.id}].glyphs"
+        yield Fault(place.file, place.line, place.column, path, message, cure)
 
 
 def _misplaced(claim: Claim, folded: FoldedText) -> Iterator[tuple[str, str, str]]:
@@ -106,6 +117,8 @@ def _misplaced(claim: Claim, folded: FoldedText) -> Iterator[tuple[str, str, str
 
 def pinned(claim: Claim) -> Iterator[tuple[str, str]]:
     """The verbatim texts of a claim that start on its line, by their key."""
+    if claim.glyphs:
+        yield "glyphs", claim.glyphs
     if claim.reading is not Reading.PLAIN:
         return
     if claim.latex:

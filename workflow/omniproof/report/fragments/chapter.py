@@ -15,11 +15,11 @@ from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.base import Fragment, link, results_folder, table
 from omniproof.report.fragments.claims import group_html, groups
 from omniproof.report.fragments.counts import accounting_html
-from omniproof.report.fragments.figures import figure_html, read_about
-from omniproof.report.fragments.tables import Labels, beside_html, list_html
+from omniproof.report.fragments.figures import drawn_html
+from omniproof.report.fragments.tables import Labels, beside_html, grid_html, list_html
 from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_html
 from omniproof.report.fragments.values import Value
-from omniproof.report.latexfmt import cell, inline
+from omniproof.report.latexfmt import cell
 
 
 class Chapter:
@@ -73,13 +73,7 @@ class Chapter:
 
     def grid(self, head: Sequence[str], rows: Iterable[Sequence[str]]) -> Fragment:
         """Show computed cells (text with `$math$`) under column heads; the first names the row."""
-        body = [
-            f'<tr><th scope="row">{inline(first)}</th>'
-            + "".join(f"<td>{inline(text)}</td>" for text in others)
-            + "</tr>"
-            for first, *others in rows
-        ]
-        return Fragment(table([inline(text) for text in head], body, "grid"), "grid")
+        return Fragment(grid_html(head, rows), "grid")
 
     def conditions(self) -> Fragment:
         """Show what each conditional row needs; the rows themselves stand in their sections."""
@@ -93,11 +87,8 @@ class Chapter:
 
     def figure(self, number: int | str) -> Fragment:
         """Show figure N of the paper as it was drawn again, or a drawing of our own by its name."""
-        data = f"figures/{self.ledger.paper}/figure-{number}"
-        drawing = self.results / f"{data}.svg"
-        about = read_about(drawing.parent, number)
         address = f"fig-{number}" if self._addresses.take(f"fig-{number}") else f"figure-{number}"
-        html = figure_html(drawing.read_text(encoding="utf-8"), about, address, data)
+        html = drawn_html(self.results, self.ledger.paper, number, address)
         return Fragment(html, f"figure {number}")
 
     def theorem(self, theorem_id: str) -> Fragment:

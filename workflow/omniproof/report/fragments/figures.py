@@ -59,6 +59,17 @@ def figure_html(svg: str, about: About, address: str, data: str) -> str:
     )
 
 
+def drawn_html(results: Path, paper: str, number: int | str, address: str) -> str:
+    """Return figure N of a paper or topic as it lies in the folder of results.
+
+    Raises `ValueError` when nothing is said of this figure.
+    """
+    data = f"figures/{paper}/figure-{number}"
+    drawing = results / f"{data}.svg"
+    about = read_about(drawing.parent, number)
+    return figure_html(drawing.read_text(encoding="utf-8"), about, address, data)
+
+
 def _labelled(svg: str, about: About) -> str:
     """Give the drawing its alt text, in place of any label that it brings along."""
     tag, rest = re.match(r"<svg\b[^>]*>", svg), svg

@@ -11,6 +11,7 @@ from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, read_json
 from omniproof.report.anchors import anchor
 from omniproof.report.findings import consequential, findings, sentence, uncheckable_class
 from omniproof.report.fragments.addresses import Addresses
+from omniproof.report.fragments.assumptions import assumptions_html
 from omniproof.report.fragments.base import (
     Fragment,
     Href,
@@ -105,6 +106,15 @@ class Overview:
         )
         return Fragment(table(["class", "rows", "decided by"], rows), "uncheckable by class")
 
+    def assumptions(self) -> Fragment:
+        """Show what each paper assumes and does not state, with the claims that need it."""
+        titles = {
+            ledger.paper: _titled(ledger.paper, read_edition(self.papers / ledger.paper))
+            for ledger in self.ledgers
+        }
+        links = {paper: self._href(paper) for paper in titles}
+        return Fragment(assumptions_html(self.ledgers, titles, links), "unstated assumptions")
+
     def findings(self, *reach: str) -> Fragment:
         """Show the findings that reach as far as one of `motion`, `number`, `text`.
 
@@ -153,11 +163,15 @@ def edition_html(paper: str, edition: Edition) -> str:
     authors = ", ".join(edition.authors)
     printed = ", ".join(str(part) for part in (edition.venue, edition.year) if part)
     return (
-        f'<li><a href="{escape(paper)}.html"><cite>{escape(edition.title)}</cite></a><br>'
+        f"<li>{_titled(paper, edition)}<br>"
         f"{escape(authors)}. {escape(printed)}.<br>"
         f'<span class="quiet">Text recognition {escape(edition.source)}, SHA-256 '
         f"<code>{edition.sha256[:16]}…</code></span></li>"
     )
+
+
+def _titled(paper: str, edition: Edition) -> str:
+    return f'<a href="{escape(paper)}.html"><cite>{escape(edition.title)}</cite></a>'
 
 
 def _place(row: Row) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 
 from omniproof.audit.ledger import Row, Verdict
@@ -54,6 +54,17 @@ def list_html(rows: Sequence[Row], href: Href) -> str:
             f"<td>{badge(row.verdict)}</td><td>{said}</td></tr>"
         )
     return table(["printed or stated", "verdict", "remark"], body, "list")
+
+
+def grid_html(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Return computed cells (text with `$math$`) under column heads; the first names the row."""
+    body = [
+        f'<tr><th scope="row">{inline(first)}</th>'
+        + "".join(f"<td>{inline(text)}</td>" for text in others)
+        + "</tr>"
+        for first, *others in rows
+    ]
+    return table([inline(text) for text in head], body, "grid")
 
 
 def _said(row: Row, href: Href) -> Sequence[str]:

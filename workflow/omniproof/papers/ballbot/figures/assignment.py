@@ -25,7 +25,6 @@ from omniproof.papers.ballbot.figures.scene import (
     ZENITH_ANGLE,
     ball_rows,
     contacts,
-    dot,
     draw_axes,
     draw_ball,
     draw_plate,
@@ -34,6 +33,7 @@ from omniproof.papers.ballbot.figures.scene import (
     wheel_rows,
 )
 from omniproof.report.figure import Drawing, Floats, Row, long_form, points, rows
+from omniproof.report.globe import dot
 from omniproof.report.sketch import (
     REDRAWN,
     View,

@@ -34,9 +34,9 @@ from omniproof.papers.ballbot.figures.scene import (
     WHEELS,
     ZENITH_ANGLE,
     contacts,
-    dot,
 )
 from omniproof.report.figure import Drawing, Floats, Row, long_form, points, rows
+from omniproof.report.globe import dot
 from omniproof.report.sketch import (
     MUTED,
     REDRAWN,

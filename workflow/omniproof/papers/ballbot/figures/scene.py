@@ -16,17 +16,14 @@ from sympy import MatrixBase, Rational, pi
 
 from omniproof.kinematics import ballbot
 from omniproof.report.figure import Floats, Row, points, rows
+from omniproof.report.globe import dot, draw_globe, ring
 from omniproof.report.sketch import (
-    MUTED,
     View,
     arrow,
-    circle,
     floats,
     label,
-    line,
     outlined,
     tinted,
-    toward_viewer,
 )
 from omniproof.report.svg import ACCENT, INK, SMALL_SIZE, TYPE_COLORS
 
@@ -39,7 +36,6 @@ WHEEL_RADIUS = 0.17
 WHEEL = TYPE_COLORS["X"]
 BODY = TYPE_COLORS["Y"]
 WHEELS = (1, 2, 3)
-AROUND = np.linspace(0, 2 * np.pi, 49)
 CHOICES = "Radii and zenith angle are free choices of the drawing."
 
 
@@ -56,12 +52,6 @@ def contacts_on_top() -> list[Floats]:
 
 def _placed(frames: Iterable[MatrixBase]) -> list[Floats]:
     return [floats(frame) for frame in frames]
-
-
-def ring(center: Floats, first: Floats, second: Floats) -> Floats:
-    """Closed circle (ellipse) about `center` through center + `first`, + `second`: 49 x 3."""
-    turned = np.outer(np.cos(AROUND), first) + np.outer(np.sin(AROUND), second)
-    return np.asarray(center + turned, dtype=np.float64)
 
 
 def wheel_rim(frame: Floats, inward: int = 1) -> Floats:
@@ -100,22 +90,8 @@ def draw_ball(ax: Axes, frame: pd.DataFrame, panel: str, view: View) -> None:
     """Draw silhouette, equator (dotted behind), ground and its contact G."""
     equator = points(frame, panel, "equator")
     tinted(ax, view.place(points(frame, panel, "ground")), INK, alpha=0.07, zorder=0)
-    center = view.place([0, 0, 0])[0]
-    circle(ax, center, view.scale * float(np.linalg.norm(equator[0])))
-    near = np.where(equator @ _level_viewer() >= 0, 1.0, np.nan)[:, None]
-    far = np.where(equator @ _level_viewer() <= 0, 1.0, np.nan)[:, None]
-    line(ax, view.place(equator * near), lw=0.7, alpha=MUTED)
-    line(ax, view.place(equator * far), lw=0.7, ls=":", alpha=MUTED)
+    draw_globe(ax, view, equator)
     dot(ax, view.place(points(frame, panel, "G")))
-
-
-def _level_viewer() -> Floats:
-    return toward_viewer() * np.array([1, 1, 0])
-
-
-def dot(ax: Axes, places: Floats) -> None:
-    """Mark points (M x 2) of the stage."""
-    line(ax, places, marker="o", ms=4, lw=0, zorder=5)
 
 
 def draw_wheels(ax: Axes, frame: pd.DataFrame, panel: str, view: View) -> None:

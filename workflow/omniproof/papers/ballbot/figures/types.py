@@ -16,7 +16,6 @@ from omniproof.papers.ballbot.figures.scene import (
     ball_rows,
     contacts,
     contacts_on_top,
-    dot,
     draw_ball,
     draw_plate,
     draw_wheels,
@@ -25,6 +24,7 @@ from omniproof.papers.ballbot.figures.scene import (
     wheel_rows,
 )
 from omniproof.report.figure import Drawing, Floats, long_form, points, rows
+from omniproof.report.globe import dot
 from omniproof.report.sketch import (
     REDRAWN,
     View,

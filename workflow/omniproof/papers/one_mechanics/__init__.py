@@ -1,0 +1,1 @@
+"""What the five papers say together: theorems, drawings and notation; nothing here is printed."""

@@ -1,0 +1,1 @@
+"""Kimura, Ogata, Ishii: a sphere driven by two constraint rollers, with slip."""
