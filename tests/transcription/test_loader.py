@@ -468,3 +468,17 @@ PATHS = [
 @pytest.mark.parametrize(("path", "text"), PATHS)
 def test_paths_name_their_entries(path: tuple[str | int, ...], text: str) -> None:
     assert label(path, {"claims": [{"id": "eq:1", "kind": "x"}, {"latex": ["a"]}]}) == text
+
+
+def test_where_a_table_decodes_the_source_each_piece_of_it_is_named(folder: Path) -> None:
+    text = GOOD.replace("symbols:", "notation: {glyphs: {'\\alpha': [a]}}\nsymbols:", 1)
+    decoded = text.replace("    says: a product\n", "    says: a product\n    reading: glyphs\n")
+    (folder / "paper.yaml").write_text(decoded, encoding="utf-8")
+    with pytest.raises(BadInput) as bad:
+        load_paper(folder)
+    assert str(bad.value).splitlines() == [
+        f"{FILE}:25:14: claims[eq:1].reading: expected `glyphs`, the piece of the source that is "
+        "decoded",
+        "    copy it from the line of the claim",
+        *ONE,
+    ]

@@ -16,7 +16,7 @@ from pydantic import BaseModel, ValidationError
 
 from omniproof.transcription.faults import BadInput, Fault, shorten
 from omniproof.transcription.messages import label, model_fault, nearest
-from omniproof.transcription.model import ID, Claim, Notation, Paper, Role, Symbol, Table
+from omniproof.transcription.model import ID, Claim, Notation, Paper, Reading, Role, Symbol, Table
 from omniproof.transcription.paperfile import Document, Path_, Tree
 from omniproof.transcription.reader import LatexError, Names, read_with, symbol_name
 from omniproof.transcription.tablefile import Cell, load_table, unit_faults
@@ -65,6 +65,7 @@ class Check:
         self.check_symbols(symbols)
         self.check_tables(tables)
         self.check_ids()
+        self.check_decoding()
         self.read_all()
         self.check_pointers()
 
@@ -214,6 +215,14 @@ class Check:
                 self.points[claim.id] = tuple(point for point in points if point is not None)
 
             self.read_assumptions(i, claim, known)
+
+    def check_decoding(self) -> None:
+        """Where a table decodes the source, what is decoded names its piece of the source."""
+        for i, claim in self.claims.items():
+            decoded = claim.reading is Reading.GLYPHS and (claim.latex or claim.quote)
+            if self.notation.glyphs and decoded and not claim.glyphs:
+                message = "expected `glyphs`, the piece of the source that is decoded"
+                self.fault(("claims", i, "reading"), message, "copy it from the line of the claim")
 
     def read_assumptions(self, i: int, claim: Claim, known: Names) -> None:
         """Read what a claim states of its symbols: inequalities."""

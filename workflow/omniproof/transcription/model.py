@@ -196,8 +196,8 @@ class Claim(Record):
         if (self.uncheckable is None) != (self.decided_by is None):
             raise ValueError("`uncheckable` and `decided_by` (what would decide it) go together")
         decoded = self.reading is Reading.GLYPHS and bool(self.latex or self.quote)
-        if decoded != bool(self.glyphs) or (self.lost and not self.glyphs):
-            raise ValueError("what is decoded (`reading: glyphs`) has `glyphs`, and only that")
+        if (self.glyphs and not decoded) or (self.lost and not self.glyphs):
+            raise ValueError("only what is decoded (`reading: glyphs`) has `glyphs` and `lost`")
         if self.uncheckable is None:
             needs = _NEEDS.get(self.kind)
             if needs and not getattr(self, needs):
