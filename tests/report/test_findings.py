@@ -34,7 +34,7 @@ def test_findings_are_the_faults_with_every_column(ledger: Ledger) -> None:
 
 
 def test_order_of_consequence() -> None:
-    """Reach first, then gravity, then what follows, then place."""
+    """Reach first, then what follows, then gravity, then place."""
     rows = [
         fault(id="eq:1", consequence=Consequence.NUMBER),
         fault(id="eq:2", verdict=Verdict.CONDITIONAL),
@@ -43,10 +43,12 @@ def test_order_of_consequence() -> None:
         fault(id="eq:5", follows="eq:4"),
         fault(id="eq:6", consequence=Consequence.TEXT),
         fault(id="eq:7", source="doubtful"),
+        fault(id="eq:8", verdict=Verdict.MODEL_GAP),
+        *(fault(id=f"eq:9[{k}]", follows="eq:8") for k in (1, 2)),
     ]
-    ledger = Ledger(paper="p", claims=7, rows=tuple(rows))
+    ledger = Ledger(paper="p", claims=9, rows=tuple(rows))
     found = [row.id for row in consequential([ledger], 10)]
-    assert found == ["eq:4", "eq:3", "eq:2", "eq:1"]
+    assert found == ["eq:8", "eq:4", "eq:3", "eq:2", "eq:1"]
     assert [row.id for row in consequential([ledger], 2)] == found[:2]
 
 

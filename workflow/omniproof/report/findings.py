@@ -32,7 +32,7 @@ def findings(ledger: Ledger) -> tuple[Row, ...]:
 
 
 def consequential(ledgers: Iterable[Ledger], limit: int) -> tuple[Row, ...]:
-    """Return the findings that matter most: by how far they reach, by gravity, by what follows.
+    """Return the findings that matter most: by how far they reach, by what follows, by gravity.
 
     What is equal in all three keeps the order of place. Left out: what follows from another
     finding, what a fault of text recognition would explain, and what changes the text only.
@@ -51,7 +51,7 @@ def consequential(ledgers: Iterable[Ledger], limit: int) -> tuple[Row, ...]:
 
     def rank(row: Row) -> tuple[int, int, int]:
         reach, gravity = REACH.index(row.consequence), GRAVITY.index(row.verdict)
-        return reach, gravity, -followers[row.paper, row.id]
+        return reach, -followers[row.paper, row.id], gravity
 
     return tuple(sorted(rows, key=rank)[:limit])
 

@@ -28,7 +28,11 @@ def summary(ledgers: Sequence[Ledger], theorems: Sized) -> str:
     room = HEIGHT - len(body) - len(tail) - 2
     found = consequential(ledgers, max(0, min(MOST, room)))
     if found:
-        body += ["", "most consequential findings", *map(finding_line, found)]
+        body += [
+            "",
+            "most consequential findings",
+            *(finding_line(row, named=len(ledgers) > 1) for row in found),
+        ]
     return "\n".join([*body, *tail]) + "\n"
 
 
@@ -41,10 +45,14 @@ def counts_lines(ledger: Ledger) -> list[str]:
     return [_cut(head), *(f"  {line.replace(_TIE, ' ')}" for line in listed)]
 
 
-def finding_line(row: Row) -> str:
-    """Return shape, place and one sentence on a finding, cut to the width of the screen."""
+def finding_line(row: Row, *, named: bool) -> str:
+    """Return shape, place and one sentence on a finding, cut to the width of the screen.
+
+    `named`: say in which paper it is.
+    """
     shape = MARKS[Verdict(row.verdict)].shape
-    return _cut(f"  {shape} {row.where}: {plain(sentence(row, short=True))}")
+    where = f"{row.paper}, {row.where}" if named else row.where
+    return _cut(f"  {shape} {where}: {plain(sentence(row, short=True))}")
 
 
 def _cut(line: str) -> str:

@@ -37,7 +37,7 @@ def accounting_html(ledgers: Sequence[Ledger], *, linked: bool = False) -> str:
     `linked`: head each column with a link to the paper's chapter.
     """
     counts = {ledger.paper: verdict_counts(ledger) for ledger in ledgers}
-    bars = "".join(bar_html(ledger) for ledger in ledgers)
+    bars = "".join(_bar_name(ledger, linked) + bar_html(ledger) for ledger in ledgers)
     names = [_name(ledger.paper, linked) for ledger in ledgers]
     body = []
     for verdict, mark in MARKS.items():
@@ -52,6 +52,11 @@ def accounting_html(ledgers: Sequence[Ledger], *, linked: bool = False) -> str:
     claims = "; ".join(f"{ledger.claims} claims in {ledger.paper}" for ledger in ledgers)
     remark = f'<p class="quiet">{claims}. A matrix is one claim, with a row for each entry.</p>'
     return bars + table(["verdict", *names, "meaning"], body, "accounting") + remark
+
+
+def _bar_name(ledger: Ledger, linked: bool) -> str:
+    # In its own chapter a paper's bar needs no name.
+    return f'<div class="bar-name">{_name(ledger.paper, linked)}</div>' if linked else ""
 
 
 def _name(paper: str, linked: bool) -> str:

@@ -89,7 +89,7 @@ class Overview:
     def most_consequential(self, limit: int = 10) -> Fragment:
         """Show the findings that matter most, one sentence and a link each."""
         items = "".join(
-            f"<li>{badge(row.verdict)} {_place(row)}: {inline(sentence(row))}</li>"
+            f"<li>{badge(row.verdict)} {_named(row)}: {inline(sentence(row))}</li>"
             for row in consequential(self.ledgers, limit)
         )
         return Fragment(f'<ol class="consequential">{items}</ol>', "most consequential findings")
@@ -178,11 +178,15 @@ def _place(row: Row) -> str:
     return f'<a href="{escape(row.paper)}.html#{anchor(row.id)}">{escape(row.where)}</a>'
 
 
+def _named(row: Row) -> str:
+    return f'{_place(row)} <span class="quiet">in {escape(row.paper)}</span>'
+
+
 def _finding(row: Row, href: Href) -> str:
     follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
     correct = row.correction or row.derived
     return (
-        f'<tr class="v-{row.verdict}"><td>{_place(row)}<br>{badge(row.verdict)}</td>'
+        f'<tr class="v-{row.verdict}"><td>{_named(row)}<br>{badge(row.verdict)}</td>'
         f"<td>{_line(_printed(row), row.printed, href)}{_line('correct', correct, href)}"
         f"{_line('true when', row.assumption, href)}</td>"
         f"<td><p>{note_html(row.note, href)}{follows}</p></td></tr>"
