@@ -280,8 +280,8 @@ class _Judge:
 
     def meaning(self, name: str, seed: int) -> Value:
         known = self.context.meanings_at(self.original.claim, Name(name)).get(name)
-        if known is None:
-            raise UndefinedError(f"{name} has no meaning")
+        if not hasattr(known, "free_symbols"):  # none, or a function that is applied
+            raise UndefinedError(f"{name} has no value")
         return _known_value(known, seed)
 
 
