@@ -1,69 +1,47 @@
-"""Spheres on rollers in plain NumPy, by least squares and cross products: an independent check."""
+"""Both simulations on spheres in plain numbers, by least squares: nothing of the package."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from mpmath import radians
+from sphere_by_hand import best_spin, in_the_world, motion, slip
+
+Floats = Any
 
 
-def contact(azimuth_deg: float, elevation_deg: float) -> Any:
+def contact(azimuth_deg: float, elevation_deg: float) -> Floats:
     a, b = np.radians([azimuth_deg, elevation_deg])
     return np.array([np.cos(b) * np.cos(a), np.cos(b) * np.sin(a), np.sin(b)])
 
 
-def map_of(contacts: Sequence[Any], axes: Sequence[Any]) -> Any:
-    """Matrix from rim speeds to the spin with the least squares, for a sphere of radius 1."""
-    rows = np.vstack([_skew(p) for p in contacts])
-    columns = [
-        np.concatenate(
-            [np.cross(p, eta) if i == k else np.zeros(3) for i, p in enumerate(contacts)]
-        )
-        for k, (p, eta) in enumerate(zip(contacts, axes, strict=True))
-    ]
-    return np.linalg.lstsq(rows, np.column_stack(columns), rcond=None)[0]
-
-
-def slip(spin: Any, p: Any, eta: Any, speed: float) -> Any:
-    return np.cross(spin, p) - speed * np.cross(p, eta)
-
-
-def _skew(p: Any) -> Any:
-    """Matrix of the map from a spin to spin x p."""
-    return np.column_stack([np.cross(unit, p) for unit in np.eye(3)])
-
-
-def symmetric_pair(angle_deg: float) -> tuple[list[Any], list[Any], list[Any]]:
-    """Contacts, axes and tangents of the two-roller simulation."""
-    contacts = [contact(215, 60), contact(325, 60)]
-    normal = np.cross(*contacts)
-    normal /= np.linalg.norm(normal)
-    tangents = [np.cross(normal, p) for p in contacts]
-    turned = np.radians([angle_deg, -angle_deg])
-    axes = [x * np.cos(a) + normal * np.sin(a) for x, a in zip(tangents, turned, strict=True)]
-    return contacts, axes, tangents
-
-
-def travel(angle_deg: float, direction_deg: float) -> tuple[Any, Any, list[float]]:
+def travel(angle_deg: float, direction_deg: float) -> tuple[Floats, Floats, list[float]]:
     """Rim speeds, spin and slips along the tangents with which the sphere travels at 1 m/s."""
-    contacts, axes, tangents = symmetric_pair(angle_deg)
-    turning = map_of(contacts, axes)
-    phi = np.radians(direction_deg)
-    speeds = np.linalg.solve(turning[:2], [-np.sin(phi), np.cos(phi)])
-    spin = turning @ speeds
-    slips = [
-        float(slip(spin, p, eta, speed) @ x)
-        for p, eta, speed, x in zip(contacts, axes, speeds, tangents, strict=True)
+    case = angle_deg / 10
+    speeds, spin, slips = motion(case, radians(direction_deg))
+    contacts = [np.array(p, dtype=float) for p, _, _ in in_the_world(case)]
+    normal = np.cross(*contacts) / np.linalg.norm(np.cross(*contacts))
+    along = [
+        float(np.array(slipping, dtype=float) @ np.cross(normal, p))
+        for slipping, p in zip(slips, contacts, strict=True)
     ]
-    return speeds, spin, slips
+    return np.array(speeds, dtype=float), np.array(spin, dtype=float), along
 
 
-def pattern(elevation_deg: float, parameter_deg: float) -> tuple[Any, list[Any]]:
+def opposite(angle_deg: float) -> Floats:
+    """Spin of the two rollers of the simulation with the rim speeds 1 and -1."""
+    (first, second) = in_the_world(angle_deg / 10)
+    return np.array(best_spin([first, (*second[:2], -1)], 1), dtype=float)
+
+
+def pattern(elevation_deg: float, parameter_deg: float) -> tuple[Floats, list[Floats]]:
     """Spin and slips of a pattern of the three-roller simulation."""
-    azimuths = (30, 150, 270)
-    contacts = [contact(a, elevation_deg) for a in azimuths]
-    axes = [contact(a + 90, 0) for a in azimuths]
     speeds = np.sin(np.radians([parameter_deg + shift for shift in (240, 120, 0)]))
-    spin = map_of(contacts, axes) @ speeds
-    return spin, [slip(spin, *roller) for roller in zip(contacts, axes, speeds, strict=True)]
+    rollers = [
+        (list(contact(azimuth, elevation_deg)), list(contact(azimuth + 90, 0)), float(speed))
+        for azimuth, speed in zip((30, 150, 270), speeds, strict=True)
+    ]
+    spin = best_spin(rollers, 1)
+    slips = [np.array(slip(spin, roller, 1), dtype=float) for roller in rollers]
+    return np.array(spin, dtype=float), slips

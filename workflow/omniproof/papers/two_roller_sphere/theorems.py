@@ -184,12 +184,13 @@ THEOREMS = (
         "thm:symmetric-pair",
         "Two mirrored rollers: the whole motion in closed form",
         r"Let $2h$ be the angle between the contacts, $\tau$ the tilt of their plane, $\alpha_2 = "
-        r"-\alpha_1$, and $\tan\delta = \sin h\tan\alpha_1$. The sphere travels along $\varphi$ "
-        r"with the speed $V$ if and only if $$\nu_{1,2} = V\left(\frac{\cos h}{\cos\alpha_1}"
-        r"\sin\varphi \pm \frac{\sin h\cos\delta}{\cos\alpha_1\cos(\tau + \delta)}\cos\varphi"
-        r"\right).$$ Then $\boldsymbol\omega = \frac{V}{r}(-\sin\varphi, \cos\varphi, "
-        r"-\tan(\tau + \delta)\cos\varphi)$, $\tan\rho = -\tan(\tau + \delta)\cos\varphi$, "
-        r"and $S_{1,2} = \pm V\cos h\tan\alpha_1\sin\varphi$.",
+        r"-\alpha_1$, and $\tan\delta = \sin h\tan\alpha_1$. The sphere travels along $\phi$ with "
+        r"the speed $V$ if and only if $\nu_{1,2} = V(a\sin\phi \pm b\cos\phi)$, with "
+        r"$a = \frac{\cos h}{\cos\alpha_1}$ and $b = \frac{\sin h\cos\delta}"
+        r"{\cos\alpha_1\cos(\tau + \delta)}$. Then $\omega_x = -\frac{V}{r}\sin\phi$, "
+        r"$\omega_y = \frac{V}{r}\cos\phi$, $\omega_z = -\frac{V}{r}\tan(\tau + \delta)\cos\phi$, "
+        r"$\tan\rho = -\tan(\tau + \delta)\cos\phi$, and $S_{1,2} = "
+        r"\pm V\cos h\tan\alpha_1\sin\phi$.",
         PAPER,
         (
             Step("The least-squares spin of these rim speeds.", _rolls_and_is_driven),

@@ -96,7 +96,7 @@ def draw_pair(ax: Axes, frame: pd.DataFrame, panel: str, view: View) -> None:
     for k in ROLLERS:
         contact = view.place(points(frame, panel, f"P {k}"))[0]
         arrow(ax, center, contact, lw=1.0)
-        label(ax, contact, f"$P_{k}$", (-0.12 if k == 1 else 0.14, -0.12))
+        label(ax, contact, f"$P_{k}$", (-0.12, -0.12) if k == 1 else (-0.02, -0.2))
         ends = view.place(points(frame, panel, f"line {k}"))
         line(ax, ends, color=COLORS[k], lw=2.2, zorder=3)
         label(ax, ends[1], rf"$l_{k}(\nu_{k})$", (-0.3 if k == 1 else 0.38, -0.08))

@@ -189,7 +189,7 @@ def draw_shadow(frame: pd.DataFrame) -> Figure:
         line(ax, [center, foot], ls=":", color=COLORS[k], lw=1.4)
     spin = seen("omega t")[0]
     arrow(ax, center, spin, color=ACCENT, lw=2.4, zorder=5)
-    label(ax, spin, r"$\omega^t$", (-0.02, 0.2), color=ACCENT)
+    label(ax, spin, r"$\omega^t$", (0.28, -0.03), color=ACCENT)
     dot(ax, np.array([center]))
     label(ax, center, "$O$", (-0.03, -0.18))
     return figure

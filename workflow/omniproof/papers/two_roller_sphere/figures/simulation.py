@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 import pandas as pd
@@ -30,11 +30,13 @@ ROLLERS = (1, 2)
 FLATTENED = 0.25
 """Share of their true height that the ellipses have in panel (a)."""
 
-PANELS: Mapping[str, tuple[str, tuple[float, float]]] = {
-    "rho": (r"(b) angle $\rho$ of the axis [degrees]", (-95, 95)),
-    "nu": (r"(c) rim speeds $\nu_1$, thin $\nu_2$ [m/s]", (-6, 6)),
-    "S": (r"(d) slips $S_1$, thin $S_2$ [m/s]", (-0.6, 0.6)),
+PANELS: Mapping[str, tuple[str, float, Sequence[float]]] = {
+    "rho": (r"(b) angle $\rho$ of the axis [degrees]", 95, (-90, 0, 90)),
+    "nu": (r"(c) rim speeds $\nu_1$, thin $\nu_2$ [m/s]", 6, (-5, 0, 5)),
+    "S": (r"(d) slips $S_1$, thin $S_2$ [m/s]", 0.6, (-0.5, 0, 0.5)),
 }
+"""Title of each panel, the end of its axis and the ticks there."""
+
 OF_ROLLER: Mapping[str, Callable[[int], Expr]] = {
     "nu": closed_forms.rim_speed,
     "S": closed_forms.slip,
@@ -76,7 +78,7 @@ def draw_simulation(frame: pd.DataFrame) -> Figure:
         ax = figure.add_axes((0.12, (5.0 - 2.2 * row) / height, 0.85, 1.55 / height))
         _over_direction(ax, frame, panel)
         ax.tick_params(labelbottom=row == 2)
-    ax.set_xlabel(r"direction of travel $\varphi$ [degrees]")
+    ax.set_xlabel(r"direction of travel $\phi$ [degrees]")
     return figure
 
 
@@ -106,9 +108,9 @@ def _ellipses(ax: Axes, frame: pd.DataFrame) -> None:
 
 def _over_direction(ax: Axes, frame: pd.DataFrame, panel: str) -> None:
     """Panels (b) to (d)."""
-    title, limits = PANELS[panel]
+    title, end, ticks = PANELS[panel]
     ax.set_title(title)
-    ax.set(xlim=(0, 360), ylim=limits, xticks=range(0, 361, 90))
+    ax.set(xlim=(0, 360), ylim=(-end, end), xticks=range(0, 361, 90), yticks=ticks)
     ax.grid(visible=True)
     ax.axhline(0, color=INK, lw=0.8)
     for k in CASES:
