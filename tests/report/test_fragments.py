@@ -175,6 +175,7 @@ def test_no_text_of_a_row_becomes_markup(
     [
         pytest.param("x=1; printed=2; derived=3", r"at \(x=1\): printed 2, derived 3", id="point"),
         pytest.param("printed=2; derived=3", "printed 2, derived 3", id="no point"),
+        pytest.param("phi=2*pi/3", r"at \(\phi=2\pi /3\): ", id="multiple of pi"),
         pytest.param("see the page", "see the page", id="words"),
         pytest.param("", "", id="none"),
     ],

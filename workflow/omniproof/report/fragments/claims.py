@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -20,6 +21,7 @@ from omniproof.report.fragments.base import (
 from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math, same
 from omniproof.transcription.model import Kind, Reading, Source
 
+_PI = re.compile(r"\*?\bpi\b")
 FOLDED = frozenset({Verdict.VERIFIED, Verdict.UNCHECKABLE, Verdict.INCONSISTENT, Verdict.EDITORIAL})
 
 ENGINES: Mapping[str, str] = {
@@ -199,10 +201,16 @@ def witness_html(witness: str) -> str:
     pairs = [part.partition("=") for part in witness.split("; ")]
     if not all(sign for _, sign, _ in pairs):
         return inline(witness)
-    point = [f"{symbol_latex(n)}={v}" for n, _, v in pairs if n not in {"printed", "derived"}]
+    named = [(n, v) for n, _, v in pairs if n not in {"printed", "derived"}]
+    point = [f"{symbol_latex(n)}={_coordinate(v)}" for n, v in named]
     sides = [f"{n} {inline(v)}" for n, _, v in pairs if n in {"printed", "derived"}]
     at = "at " + ", ".join(math(latex) for latex in point) + ": " if point else ""
     return at + ", ".join(sides)
+
+
+def _coordinate(text: str) -> str:
+    """Return the LaTeX of a coordinate: a number, or a multiple of pi."""
+    return _PI.sub(r"\\pi ", text)
 
 
 def symbol_latex(name: str) -> str:
