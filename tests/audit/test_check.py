@@ -91,7 +91,7 @@ def test_erratum(text, message, repair):
         pytest.param("|x| = x, |y| = y", (), r"x \geq 0 \text{ and } y \geq 0",
                      "true under a condition only in `|x| = x`", id="two conditions"),
         pytest.param(r"\cos\theta > 0", (r"0 < \theta < \pi",), r"0 < \theta < \frac{\pi}{2}",
-                     "true under a condition only: 0° < theta < 90°", id="exact set"),
+                     "true under a condition only: 0° < θ < 90°", id="exact set"),
     ],
 )  # fmt: skip
 def test_conditional(text, between, condition, message):

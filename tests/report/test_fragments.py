@@ -208,6 +208,7 @@ def test_no_text_of_a_row_becomes_markup(
             r"at \(v_{1}(t)=1\), \(\int_{0}^{t} v_{1}\,dt=2\): ",
             id="unknown function",
         ),
+        pytest.param("phi=2*pi/3", r"at \(\phi=2\pi /3\): ", id="multiple of pi"),
         pytest.param("see the page", "see the page", id="words"),
         pytest.param("", "", id="none"),
     ],

@@ -126,7 +126,7 @@ def _written(symbol: sp.Symbol, numbers: sp.Set) -> str:
         if isinstance(part, sp.FiniteSet):
             texts += [f"${sp.latex(symbol)} = {sp.latex(point)}$" for point in part]
             ends = [in_degrees(symbol, [Piece(point, point)]) for point in part]
-            degrees += [end and f"{symbol} = {end.rpartition(' ')[2]}" for end in ends]
+            degrees += [end and f"{sp.pretty(symbol)} = {end.rpartition(' ')[2]}" for end in ends]
     pieces = tuple(_pieces(numbers))
     texts[:0] = [f"${condition_latex(symbol, [piece])}$" for piece in pieces]
     degrees[:0] = [in_degrees(symbol, [piece]) for piece in pieces]

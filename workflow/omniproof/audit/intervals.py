@@ -65,7 +65,8 @@ def in_degrees(symbol: sp.Symbol, pieces: Iterable[Piece]) -> str:
     ends = [end / sp.pi for piece in pieces for end in (piece.lower, piece.upper)]
     if not all(end.is_Rational for end in ends):
         return ""
-    return " or ".join(piece.show(symbol.name, _degrees, "<", "≤") for piece in pieces)
+    letter = sp.pretty(symbol)
+    return " or ".join(piece.show(letter, _degrees, "<", "≤") for piece in pieces)
 
 
 def _degrees(end: Any) -> str:

@@ -24,6 +24,7 @@ from omniproof.transcription.model import Kind, Reading, Source
 _UNALIGNED = re.compile(r"&(?==)")
 _INTEGRAL = re.compile(r"int_(\w+)_from_(\w+)\((\w+)\)")
 _VALUE = re.compile(r"(\w+)\((\w+)\)")
+_PI = re.compile(r"\*?\bpi\b")
 FOLDED = frozenset({Verdict.VERIFIED, Verdict.UNCHECKABLE, Verdict.INCONSISTENT, Verdict.EDITORIAL})
 
 ENGINES: Mapping[str, str] = {
@@ -219,10 +220,16 @@ def witness_html(witness: str) -> str:
     pairs = [part.partition("=") for part in witness.split("; ")]
     if not all(sign for _, sign, _ in pairs):
         return inline(witness)
-    point = [f"{symbol_latex(n)}={v}" for n, _, v in pairs if n not in {"printed", "derived"}]
+    named = [(n, v) for n, _, v in pairs if n not in {"printed", "derived"}]
+    point = [f"{symbol_latex(n)}={_coordinate(v)}" for n, v in named]
     sides = [f"{n} {inline(v)}" for n, _, v in pairs if n in {"printed", "derived"}]
     at = "at " + ", ".join(math(latex) for latex in point) + ": " if point else ""
     return at + ", ".join(sides)
+
+
+def _coordinate(text: str) -> str:
+    """Return the LaTeX of a coordinate: a number, or a multiple of pi."""
+    return _PI.sub(r"\\pi ", text)
 
 
 def symbol_latex(name: str) -> str:

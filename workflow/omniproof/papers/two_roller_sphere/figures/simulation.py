@@ -132,8 +132,8 @@ def describe_simulation(frame: pd.DataFrame) -> str:
     return (
         "Four ellipses in space through two common points on the x-axis, each steeper than the one"
         " before; below them angle of the axis, rim speeds and slips over the direction of travel."
-        f" Greatest angle, rim speed and slip: {'; '.join(told)}. The slip is zero for travel along"
-        " x, the angle for travel along y."
+        f" Greatest angle, rim speed and slip of the points drawn: {'; '.join(told)}. The slip is"
+        " zero for travel along x, the angle for travel along y."
     )
 
 
