@@ -56,7 +56,7 @@ def mend(text: str, derived: Any, claim: str, context: Context, factor: Any = 1)
         except (LatexError, TypeError, AttributeError):
             return False
 
-    # A symbol that the truth does not contain is in no repair: a third of the edits, or fewer.
+    # A symbol that the truth does not contain is never put in: a third of the edits, or fewer.
     needed = {symbol.name for symbol in (derived / factor).free_symbols}
     symbols = [s for s in context.loaded.paper.symbols if s.name in needed]
     words = [symbol.latex for symbol in symbols if symbol.role is Role.VARIABLE]
@@ -95,7 +95,8 @@ def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:
         return None
     symbols = context.loaded.paper.symbols
     relatives = (symbol.latex for symbol in symbols if symbol.role is Role.QUANTITY)
-    return QuickLook(read, meaning, values, tuple(relatives))
+    known = (symbol.latex for symbol in symbols)
+    return QuickLook(read, meaning, values, tuple(relatives), tuple(known))
 
 
 def _mended(found: Iterable[Repair], grade: Grade, context: Context) -> Mended:
