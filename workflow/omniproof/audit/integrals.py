@@ -9,7 +9,8 @@ of them exactly when it holds for free symbols in their place, in two cases:
   upper limit is fixed, F and G may contain nothing but values of the functions: constant functions
   then tell F from G. So each side becomes the integrand times one symbol for both limits.
 
-Everything else is refused; by parts, the integral of t f(t) would look different from itself.
+Everything else is refused; by parts, the integral of t f(t) would look different from itself. What
+is refused and false is left to `audit.counterexample`.
 """
 
 from __future__ import annotations
