@@ -106,6 +106,23 @@ def test_what_has_no_functions_stays_as_it_is(value: object) -> None:
     assert flattened(value) is value
 
 
+@pytest.mark.parametrize(("left", "right"), EQUAL)
+def test_a_first_look_takes_equal_for_equal(left: sp.Expr, right: sp.Expr) -> None:
+    assert sp.simplify(flattened(left) - flattened(right)) == 0
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        pytest.param(up_to_time(f(t)), sp.Integral(f(t), (t, 0, T)), id="other limits"),
+        pytest.param(up_to_time(f(t)), up_to_time(g(t)), id="another function"),
+        pytest.param(sp.Integral(f(t), (t, 1, t)), up_to_time(f(t)), id="another start"),
+    ],
+)
+def test_a_first_look_tells_others_apart(left: sp.Expr, right: sp.Expr) -> None:
+    assert flattened(left) != flattened(right)
+
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 

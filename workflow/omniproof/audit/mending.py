@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 from sympy import MatrixBase
@@ -80,6 +80,8 @@ def equal(printed: Any, derived: Any, domain: Domain = REALS) -> bool:
 def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:
     """Prepare the quick look; there is none at what balls cannot evaluate."""
 
+    # One edit is looked for before two are: the same edits are read for both.
+    @cache
     def read(text: str) -> Node:
         return read_with(text, context.loaded.paper.notation, context.names)
 

@@ -287,6 +287,8 @@ class _Judge:
         Raises `NotEvaluatedError` where the digits reach one of them nowhere.
         """
         node, compared = _read(text, self.context), False
+        if node == self.own:
+            return True
         for seed in range(POINTS):
             own, other = self.at(self.own, seed), self.at(node, seed)
             if own is not None and other is not None:
