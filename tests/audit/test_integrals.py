@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from omniproof.audit.answer import Proved, Refuted, Undecided
+from omniproof.audit.answer import REALS, Domain, Proved, Refuted, Undecided
+from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
+from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import flattened, without_integrals
 
 t, s = sp.symbols("t s", real=True)
@@ -62,6 +64,9 @@ def test_different(left: sp.Expr, right: sp.Expr) -> None:
 REFUSED = [
     pytest.param(up_to_time(t * f(t)), t * up_to_time(f(t)) - up_to_time(up_to_time(f(t))),
                  "different ranges", id="true by parts, and not seen to be"),
+    pytest.param(sp.Integral(f(t) * sp.Abs(t - 1), (t, 0, T)),
+                 sp.Integral(f(t) * sp.sqrt((1 - t) ** 2), (t, 0, T)),
+                 "fixed time", id="true, time itself up to a fixed time"),
     pytest.param(sp.Integral(f(t) ** 2, (t, 0, T)), up_to_time(f(t) ** 2), "different ranges",
                  id="other limits"),
     pytest.param(t * up_to_time(f(t) ** 2), up_to_time(t * f(t) ** 2), "constant factor",
@@ -72,11 +77,24 @@ REFUSED = [
                  id="time itself up to a fixed time"),
     pytest.param(sp.Integral(f(t) * up_to_time(f(t)), (t, 0, T)), up_to_time(f(t)) ** 2 / 2,
                  "fixed time", id="an integral up to a fixed time of one that changes"),
+    pytest.param(sp.Integral(sp.sqrt(1 + t * f(t) ** 2), (t, 0, T)),
+                 sp.Integral(sp.sqrt(1 + f(t) ** 2), (t, 0, T)), "fixed time",
+                 id="no polynomial under the root"),
+    pytest.param(sp.Integral(sp.Abs(t - 1) * f(t), (t, 0, T)),
+                 sp.Integral((t - 1) * f(t), (t, 0, T)), "fixed time", id="an absolute value"),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("left", "right", "reason"), REFUSED)
-def test_not_compared(left: sp.Expr, right: sp.Expr, reason: str) -> None:
+def test_other_forms_are_not_compared(left: sp.Expr, right: sp.Expr, reason: str) -> None:
+    with pytest.raises(UnsupportedError, match=reason):
+        without_integrals(left, right)
+
+
+@pytest.mark.parametrize(("left", "right", "reason"), REFUSED[:2])
+def test_what_is_true_in_another_form_stays_undecided(
+    left: sp.Expr, right: sp.Expr, reason: str
+) -> None:
     answer = confirmed_equal(left, right)
     assert isinstance(answer, Undecided)
     assert reason in answer.reason
@@ -86,6 +104,23 @@ def test_not_compared(left: sp.Expr, right: sp.Expr, reason: str) -> None:
 def test_what_has_no_functions_stays_as_it_is(value: object) -> None:
     assert without_integrals(value, value) == (value, value)
     assert flattened(value) is value
+
+
+@pytest.mark.parametrize(("left", "right"), EQUAL)
+def test_a_first_look_takes_equal_for_equal(left: sp.Expr, right: sp.Expr) -> None:
+    assert sp.simplify(flattened(left) - flattened(right)) == 0
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        pytest.param(up_to_time(f(t)), sp.Integral(f(t), (t, 0, T)), id="other limits"),
+        pytest.param(up_to_time(f(t)), up_to_time(g(t)), id="another function"),
+        pytest.param(sp.Integral(f(t), (t, 1, t)), up_to_time(f(t)), id="another start"),
+    ],
+)
+def test_a_first_look_tells_others_apart(left: sp.Expr, right: sp.Expr) -> None:
+    assert flattened(left) != flattened(right)
 
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
@@ -109,3 +144,61 @@ def by_quadrature(value: sp.Expr, time: float) -> float:
 @pytest.mark.parametrize(("left", "right"), [EQUAL[0], EQUAL[4], EQUAL[5], EQUAL[6]])
 def test_what_is_proved_holds_in_numbers(left: sp.Expr, right: sp.Expr) -> None:
     assert by_quadrature(left, 0.7) == pytest.approx(by_quadrature(right, 0.7), rel=1e-9)
+
+
+def at_witness(side: sp.Expr, point: dict[str, str]) -> float:
+    """Evaluate by mpmath with the functions and numbers of a witness (powers are written `^`)."""
+    shape = sp.Poly([*map(sp.Rational, SHAPES[point["f(t)"]])], t).as_expr()
+    side = side.replace(f, lambda place: shape.subs(t, place))
+    numbers = {symbol: sp.Rational(point[symbol.name]) for symbol in side.free_symbols}
+    return float(side.subs(numbers).evalf())
+
+
+SHAPES = {"t/2 + 1": ("1/2", "1"), "t^2/3 + t/2 + 1": ("1/3", "1/2", "1")}
+
+
+@pytest.mark.parametrize(("left", "right", "reason"), REFUSED[2:])
+def test_a_false_comparison_of_another_form_has_a_witness(
+    left: sp.Expr, right: sp.Expr, reason: str
+) -> None:
+    answer = confirmed_equal(left, right)
+    assert isinstance(answer, Refuted)
+    assert answer.engines == ("flint",)
+    sides = [at_witness(side, dict(answer.witness.point)) for side in (left, right)]
+    shown = [float(answer.witness.printed), float(answer.witness.derived)]
+    assert sides == pytest.approx(shown, rel=1e-3)
+    assert sides[0] != pytest.approx(sides[1], rel=1e-6)
+
+
+def test_a_sum_that_only_lines_pass_is_refuted_by_a_parabola() -> None:
+    """The trapezoidal rule is exact for linear functions, and for no parabola."""
+    rule = T * (f(0) + f(T)) / 2
+    answer = counterexample(sp.Integral(f(t), (t, 0, T)), rule, REALS)
+    assert answer is not None
+    assert answer.witness.point["f(t)"] == "t^2/3 + t/2 + 1"
+
+
+def test_a_witness_lies_in_the_domain() -> None:
+    narrow = Domain({"T": (sp.Rational(1, 10), sp.Rational(1, 9))})
+    answer = counterexample(sp.Integral(t * f(t), (t, 0, T)), f(T), narrow)
+    assert answer is not None
+    assert 1 / 10 < sp.Rational(answer.witness.point["T"]) < 1 / 9
+
+
+positive = sp.Function("p", positive=True)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        pytest.param(T, T + 1, id="without unknown functions"),
+        pytest.param(positive(t), sp.Abs(f(t)), id="a function with a sign"),
+        pytest.param(f(t, s), f(s, t), id="a function of two variables"),
+        pytest.param(sp.Integral(sp.gamma(f(t)), (t, 0, T)), f(T), id="a function not enclosed"),
+        pytest.param(up_to_time(sp.sin(up_to_time(sp.sin(f(t))))), f(t), id="one inside another"),
+        pytest.param(sp.sqrt(-1 - f(t) ** 2), f(t), id="a side that is not real"),
+        pytest.param(sp.Integral(1 / (t - T / 2), (t, 0, T)), f(t), id="an integral over a pole"),
+    ],
+)
+def test_no_counterexample(left: sp.Expr, right: sp.Expr) -> None:
+    assert counterexample(left, right, REALS) is None

@@ -1,5 +1,6 @@
 """The mutation study: misprints of every kind, and a judge that can tell."""
 
+import itertools
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -109,12 +110,72 @@ def test_digits_are_those_of_the_expression(text):
     point = {sp.Symbol("theta"): sp.Rational(5, 7), sp.Symbol("L"): sp.Rational(9, 4)}
     meanings = {r"\theta": sp.Symbol("theta"), "L": sp.Symbol("L")}
     own = digits.value(
-        tree_of(text), lambda symbol: digits.known_value(meanings[symbol.name], point)
+        tree_of(text), lambda symbol, _: digits.known_value(meanings[symbol.name], point)
     )
     known = digits.known_value(evaluate(tree_of(text), meanings, text), point)
     assert digits.are_equal(own, known)
     with mp.workdps(digits.DIGITS):
         assert not digits.are_equal(own * (1 + mp.mpf(10) ** -35), known)
+
+
+TIME = sp.Symbol("t", real=True)
+SPEED = sp.Function("v", real=True)
+
+
+def over_time(text):
+    """Give the digits of a text where `v` is a function of the time `t` that nobody knows."""
+
+    def meaning(symbol, bound):
+        point = {TIME: digits.number(bound.get("t", mp.mpf(3) / 2))}
+        known = {"v": SPEED(TIME), "t": TIME, "w": sp.Integral(SPEED(TIME), (TIME, 0, TIME))}
+        return digits.known_value(known[symbol.name], point, seed=1)
+
+    return digits.value(read(text, Notation(), ("v", "t", "w")), meaning)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        pytest.param(r"\int_0^t (2 v + t) dt", r"2 \int_0^t v dt + t^2 / 2", id="linear"),
+        pytest.param(r"\int_0^t v \int_0^t v dt dt", r"(\int_0^t v dt)^2 / 2", id="nested"),
+        pytest.param(r"\int_0^t \cos t dt", r"\sin t", id="an integral that is known"),
+        pytest.param(r"\int_0^t \sqrt{v^2} dt", "w", id="of an expression"),
+        pytest.param(r"\int_0^t w dt", r"\int_0^t \int_0^t v dt dt", id="one inside another"),
+    ],
+)
+def test_integrals_of_unknown_functions_have_digits(one, other):
+    assert digits.are_equal(over_time(one), over_time(other))
+
+
+def test_unknown_functions_and_their_integrals_differ():
+    values = [over_time(text) for text in (r"v", r"\int_0^t v dt", r"t v", r"\int_0^t t v dt", "t")]
+    pairs = itertools.combinations(values, 2)
+    assert not [pair for pair in pairs if digits.are_equal(*pair)]
+
+
+def test_an_unknown_function_is_a_quadratic_with_positive_coefficients():
+    places = [sp.Rational(k, 10) for k in range(-30, 31)]
+    known = [digits.known_value(SPEED(TIME), {TIME: place}) for place in places]
+    assert min(known[30:]) > 0
+    with mp.workdps(digits.DIGITS):
+        steps = [after - before for before, after in itertools.pairwise(known)]
+        bends = [after - before for before, after in itertools.pairwise(steps)]
+    # Second differences of a quadratic are all the same.
+    assert all(digits.are_equal(bends[0], bend) for bend in bends)
+    assert min(bends) > 0
+
+
+@pytest.mark.parametrize("text", [r"\int_0^t |1 - t| dt", "1 < 2", r"\int_0^t \sqrt{t} dt"])
+def test_what_the_digits_do_not_reach_is_said_to_be_so(text):
+    with pytest.raises(digits.NotEvaluatedError):
+        over_time(text)
+
+
+@pytest.mark.parametrize("text", [r"\sqrt{-v^2}", r"\int_0^t \frac{1}{v - v} dt"])
+def test_what_is_nowhere_defined_is_not_counted_as_unknown(text):
+    with pytest.raises(digits.UndefinedError) as error:
+        over_time(text)
+    assert not isinstance(error.value, digits.NotEvaluatedError)
 
 
 @pytest.mark.parametrize(
@@ -192,6 +253,18 @@ def test_a_wrong_repair_is_caught(one_case, monkeypatch):
     )
     monkeypatch.setattr(mutation, "mend", lambda *_: wrong)
     assert one_case(r"\sin(\alpha_1 + \alpha_3)").fate is Fate.MISREPAIRED
+
+
+def test_what_is_not_evaluated_is_shown(one_case, monkeypatch):
+    def gives_up(*_):
+        raise digits.NotEvaluatedError("too deep")
+
+    monkeypatch.setattr(mutation, "value", gives_up)
+    case = one_case(r"\sin(\alpha_1 + \alpha_3)")
+    assert case.fate is Fate.NOT_EVALUATED
+    record = mutation.Study(1, (case,)).record()
+    assert record["not_evaluated"] == len(record["failures"]) == 1
+    assert record["different"] == record["equivalent"] == 0
 
 
 def test_figures_add_up():

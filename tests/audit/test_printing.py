@@ -40,6 +40,11 @@ SPELLING = Spelling({alpha: r"\alpha_1", speed: r"\dot{x}"}, {LONG: r"\det \math
             r"\int\limits_{0}^{t} X^{m}_{w}(t)\, dt",
             id="an unknown function",
         ),
+        pytest.param(
+            sum(Function(f"v_{k}", real=True)(TIME) for k in (3, 1, 2)),
+            "v_{1}(t) + v_{2}(t) + v_{3}(t)",
+            id="unknown functions in the order of their names",
+        ),
         pytest.param((speed, Integer(2)), r"\dot{x},\; 2", id="several values"),
         pytest.param(
             ImmutableMatrix([[speed], [1]]),

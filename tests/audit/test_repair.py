@@ -215,6 +215,14 @@ def test_a_superscript_belongs_to_a_declared_symbol():
     assert texts >= {"v_k^R + v_k^R", "v_k^T + v_k^T", "v_k^R + v_k^T"}
 
 
+@pytest.mark.parametrize("printed", ["v_x^B", "v_{x}^{B}"])
+def test_a_symbol_that_is_only_known_goes_as_one(printed):
+    known = ("v_x^B", r"\omega_z^B")
+    texts = {edit.text for edit in edits(f"{printed} L", ("L", "R"), known=known)}
+    assert texts >= {"L", "R L"}
+    assert not [text for text in texts if r"\omega" in text or "L^B" in text]
+
+
 DIVERSE = [
     r"\frac{\sin \alpha_1 - 2}{L}^2 + \sqrt{L} |\cos\theta| - \tan 30^\circ",
     r"\langle (\theta, L)^T, (R, \pi) \rangle \arctan \theta",

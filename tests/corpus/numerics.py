@@ -27,7 +27,7 @@ def parsed(text: str) -> tree.Node:
 def value(text: str | tree.Node, point: Point) -> digits.Value:
     """Evaluate an expression at a point; raises `UndefinedError` where it has no real value."""
 
-    def meaning(symbol: tree.Symbolic) -> digits.Value:
+    def meaning(symbol: tree.Symbolic, _: digits.Bound) -> digits.Value:
         known = point[symbol.name.removeprefix("\\det ")]
         return mp.det(known) if symbol.name.startswith("\\det ") else known
 

@@ -78,7 +78,7 @@ def read_value(node: tree.Node, point: dict[str, str]) -> Any:
     by_name = {symbol_name(name): text for name, text in point.items()}
     try:
         with mp.workdps(digits.DIGITS):
-            return digits.value(node, lambda symbol: mp.mpf(by_name[symbol.name]))
+            return digits.value(node, lambda symbol, _: mp.mpf(by_name[symbol.name]))
     except digits.UndefinedError:
         return None
 

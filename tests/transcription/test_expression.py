@@ -117,6 +117,8 @@ FUNCTIONS = {
     **MEANINGS,
     "g": Function(ImmutableMatrix([a, b]), (a,)),
     "h": Function(a / b, (a, b)),
+    "k": Function(Integral(a**2, (a, 0, a)), (a,)),
+    "l": Function(Integral(a**2, (a, 0, b)), (a,)),
     "turn": lambda times, angle: int(times) * angle,
 }
 
@@ -131,12 +133,14 @@ FUNCTIONS = {
         pytest.param("g(2a + 1)", ImmutableMatrix([2 * a + 1, b]), id="an expression"),
         pytest.param("h(b, a)", b / a, id="arguments that change places"),
         pytest.param("h(h(x, 2), 3)", x / 6, id="one inside another"),
+        pytest.param("k(2b + 1)", Integral(a**2, (a, 0, 2 * b + 1)), id="the end of an integral"),
+        pytest.param("l(2b + 1)", Integral(a**2, (a, 0, b)), id="no argument: integrated over"),
         pytest.param("turn(2, -a)", -2 * a, id="an operator is called"),
         pytest.param("c(2a + 1)", c * (2 * a + 1), id="no function: a product"),
     ],
 )
 def test_arguments_take_the_place_of_what_a_function_is_of(text: str, value: Any) -> None:
-    tree = read(text, None, [*"abcx", "turn"], ["g", "h", "turn"], ["g", "h"])
+    tree = read(text, None, [*"abcx", "turn"], ["turn", *"ghkl"], list("ghkl"))
     assert evaluate(tree, FUNCTIONS, text) == value
 
 

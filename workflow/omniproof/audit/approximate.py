@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from sympy import Expr, MatrixBase, Symbol
 
 from omniproof.audit.balls import UnsupportedError, compile_balls, rational_ball
-from omniproof.audit.integrals import ANY_INTEGRAL, flattened
+from omniproof.audit.integrals import flattened
 from omniproof.audit.sampling import Sample, sample_points
 from omniproof.transcription import tree
 
@@ -242,7 +242,7 @@ _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Values]], Values]] = {
         parts[0] if isinstance(node.operand, tree.Tuple) else parts[0].swapaxes(-1, -2)
     ),
     tree.Call: _call,
-    tree.Integral: lambda node, parts: at_points(ANY_INTEGRAL) * parts[2],
+    tree.Integral: lambda node, parts: _plus(parts[1], -parts[0]) * parts[2],
     tree.Inner: lambda node, parts: _inner(*parts),
     tree.Norm: lambda node, parts: _norm(parts[0]),
     tree.Absolute: lambda node, parts: np.abs(_number(parts[0])),

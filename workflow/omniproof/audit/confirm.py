@@ -15,6 +15,7 @@ import sympy as sp
 
 from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import without_integrals
 from omniproof.audit.modular import Mixed, NonZero, Zero, vanishes_modulo
 from omniproof.audit.smt import Different, Equal, differ_somewhere
@@ -35,7 +36,7 @@ def confirmed_equal(
     try:
         printed, derived = without_integrals(printed, derived)
     except UnsupportedError as reason:
-        return Undecided(str(reason))
+        return counterexample(printed, derived, domain) or Undecided(str(reason))
     answer = decide_equal(printed, derived, domain)
     if isinstance(answer, Undecided):
         return answer

@@ -31,7 +31,8 @@ from omniproof.transcription.tree import Chain, Name, Node, names
 class Context:
     """One paper under audit; `choices` are the readings of its conventions, once chosen.
 
-    Derived once: `known`, what printed symbols stand for, and `lemmas`, what they do in one claim.
+    Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim, and
+    `derived`, what claims are judged by, under each reading.
     """
 
     loaded: LoadedPaper
@@ -40,6 +41,7 @@ class Context:
     choices: Mapping[str, str] = field(default_factory=dict)
     known: dict[str, Any] = field(default_factory=dict)
     lemmas: dict[str, Mapping[str, Any]] = field(default_factory=dict)
+    derived: dict[tuple[str, tuple[str, ...]], Derived] = field(default_factory=dict)
 
     @cached_property
     def claims(self) -> dict[str, Claim]:
@@ -90,11 +92,13 @@ class Context:
 
     def derive(self, claim: str) -> Derived:
         """Run the derivation of a claim, under the chosen reading of its convention."""
-        derivation = self.derivation(claim)
-        if not derivation.convention:
-            return derivation.build()
-        stated = self.registry.conventions[derivation.convention].stated
-        return derivation.build(self.choices.get(derivation.convention, stated))
+        derivation, reading = self.derivation(claim), tuple[str, ...]()
+        if derivation.convention:
+            stated = self.registry.conventions[derivation.convention].stated
+            reading = (self.choices.get(derivation.convention, stated),)
+        if (claim, reading) not in self.derived:
+            self.derived[claim, reading] = derivation.build(*reading)
+        return self.derived[claim, reading]
 
     def derive_by_mechanics(self, claim: str) -> Derived:
         """Run the derivation of an identity, without what only the paper's premises give."""

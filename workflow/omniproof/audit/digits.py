@@ -4,39 +4,58 @@ Nothing here rests on FLINT, on normal forms, on prime fields or on the floats o
 reader alone is shared. So where an engine and these digits disagree about two formulas, it is the
 engine that is wrong. The corpus, the mutation study and the fuzzing are judged by them. A value is
 a number, or an mpmath matrix.
+
+A function that nobody knows (a wheel speed over time) is given a polynomial all its own: what holds
+for every function holds for that one. Its slopes are small, so that roots of what it is a part of
+stay smooth about the range of an integral and the quadrature of Gauss and Legendre converges.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import reduce
+import random
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache, reduce
+from types import MappingProxyType
 from typing import Any, TypeAlias
 
 from mpmath import mp
-from sympy import MatrixBase, Rational, Symbol
+from sympy import Float, Integral, MatrixBase, S, Symbol
+from sympy.core.function import AppliedUndef
 
 from omniproof.transcription import tree
 
 Value: TypeAlias = Any
+Bound: TypeAlias = Mapping[str, Value]
+"""Values of the variables of the integrals around a part, by their printed names."""
+Meaning: TypeAlias = Callable[[tree.Symbolic, Bound], Value]
 DIGITS = 60
 AGREED = 40
 """So many digits of two equal values agree, whatever was lost on the way."""
+SETTLED = 45
+"""So many digits of an integral stay when the points of its rule are doubled."""
+RULES = (8, 16, 32, 64)
 
 
 class UndefinedError(ArithmeticError):
     """A formula has no real value at a point, or its parts do not fit together."""
 
 
-def value(node: tree.Node, meaning: Callable[[tree.Symbolic], Value]) -> Value:
+class NotEvaluatedError(UndefinedError):
+    """Nobody knows whether a formula has a value: the digits do not reach it."""
+
+
+def value(node: tree.Node, meaning: Meaning, bound: Bound = MappingProxyType({})) -> Value:
     """Evaluate a tree; `meaning` gives the value of a symbol, with its arguments if it has any.
 
-    Raises `UndefinedError` where there is no real value.
+    Raises `UndefinedError` where there is no real value, `NotEvaluatedError` where none is found.
     """
     if isinstance(node, tree.Name | tree.Applied):
-        return meaning(node)
+        return meaning(node, bound)
+    if isinstance(node, tree.Integral):
+        return _over_range(node, meaning, bound)
     if type(node) not in _RULES:
-        raise UndefinedError(f"{type(node).__name__} has no value")
-    parts = [value(part, meaning) for part in tree.children(node)]
+        raise NotEvaluatedError(f"{type(node).__name__} has no value")
+    parts = [value(part, meaning, bound) for part in tree.children(node)]
     with mp.workdps(DIGITS):
         try:
             return _real(_RULES[type(node)](node, parts))
@@ -44,20 +63,108 @@ def value(node: tree.Node, meaning: Callable[[tree.Symbolic], Value]) -> Value:
             raise UndefinedError(str(error)) from None
 
 
-def known_value(known: Any, point: dict[Symbol, Rational]) -> Value:
-    """Evaluate what a symbol stands for, an expression or a matrix, at a rational point."""
+def _over_range(node: tree.Integral, meaning: Meaning, bound: Bound) -> Value:
+    name = node.variable.name
+    ends = [value(end, meaning, bound) for end in (node.lower, node.upper)]
+    return integral(lambda x: value(node.integrand, meaning, {**bound, name: x}), *ends)
+
+
+def integral(integrand: Callable[[Value], Value], lower: Value, upper: Value) -> Value:
+    """Integrate a smooth function; raises `NotEvaluatedError` where its digits do not settle."""
+    with mp.workdps(DIGITS):
+        middle, half = (lower + upper) / 2, (upper - lower) / 2
+        before = mp.inf
+        for count in RULES:
+            terms = ((weight, integrand(middle + half * x)) for x, weight in _gauss(count))
+            found = half * mp.fdot(terms)
+            if abs(found - before) <= mp.mpf(10) ** -SETTLED * (1 + abs(found)):
+                return found
+            before = found
+    raise NotEvaluatedError("the digits of an integral do not settle")
+
+
+@cache
+def _gauss(count: int) -> list[tuple[Value, Value]]:
+    """Places and weights on [-1, 1] of Gauss and Legendre (Abramowitz and Stegun, 25.4.29)."""
+    rule = []
+    for k in range(1, count + 1):
+        x = mp.cos(mp.pi * (4 * k - 1) / (4 * count + 2))
+        # The start has four digits at least, and each of Newton's steps doubles them.
+        for _ in range(6):
+            value, slope = _legendre(count, x)
+            x -= value / slope
+        slope = _legendre(count, x)[1]
+        rule.append((x, 2 / ((1 - x**2) * slope**2)))
+    return rule
+
+
+def _legendre(degree: int, x: Value) -> tuple[Value, Value]:
+    """Value and slope of Legendre's polynomial, by its recurrence (ibid., 8.5.3 and 8.5.4)."""
+    before, value = mp.mpf(1), x
+    for k in range(2, degree + 1):
+        before, value = value, ((2 * k - 1) * x * value - (k - 1) * before) / k
+    return value, degree * (before - x * value) / (1 - x**2)
+
+
+def known_value(known: Any, point: Mapping[Symbol, Any], seed: int = 0) -> Value:
+    """Evaluate what a symbol stands for, an expression or a matrix, at a point of real numbers.
+
+    The polynomials of unknown functions are those of a seed.
+    """
     with mp.workdps(DIGITS):
         if isinstance(known, MatrixBase):
-            return mp.matrix([[_digits(entry, point) for entry in row] for row in known.tolist()])
-        return _digits(known, point)
+            rows = known.tolist()
+            return mp.matrix([[_digits(entry, point, seed) for entry in row] for row in rows])
+        return _digits(known, point, seed)
 
 
-def _digits(expression: Any, point: dict[Symbol, Rational]) -> Value:
-    # SymPy gives up at `maxn` digits and returns the expression: that is no real value here.
-    number = expression.evalf(DIGITS, subs=point, maxn=400)
-    if not number.is_Float and not number.is_Rational:
-        raise UndefinedError(f"no real value of {expression}")
-    return mp.mpf(str(number))
+def _digits(expression: Any, point: Mapping[Symbol, Any], seed: int) -> Value:
+    if expression.has(AppliedUndef, Integral):
+        expression = _without_functions(expression, point, seed)
+    found = expression.evalf(DIGITS, subs=dict(point), maxn=400)
+    if found.is_Float or found.is_Rational:
+        return mp.mpf(found if found.is_Float else str(found))
+    # Where SymPy gives up at `maxn` digits, it returns an expression: that may well be a number.
+    undefined = found.is_real is False or found is S.NaN
+    kind = UndefinedError if undefined else NotEvaluatedError
+    raise kind(f"no real value of {expression}")
+
+
+def _without_functions(expression: Any, point: Mapping[Symbol, Any], seed: int) -> Any:
+    """Put numbers for integrals and for values of unknown functions, the outermost first."""
+    if isinstance(expression, Integral):
+        return number(_quadrature(expression, point, seed))
+    if isinstance(expression, AppliedUndef):
+        name, (place,) = str(expression.func), expression.args
+        return number(mp.polyval(_polynomial(name, seed), _digits(place, point, seed)))
+    if not expression.args:
+        return expression
+    return expression.func(*(_without_functions(a, point, seed) for a in expression.args))
+
+
+def _quadrature(outer: Integral, point: Mapping[Symbol, Any], seed: int) -> Value:
+    *inside, (variable, lower, upper) = outer.limits
+    integrand = Integral(outer.function, *inside) if inside else outer.function
+    ends = (_digits(end, point, seed) for end in (lower, upper))
+    return integral(
+        lambda x: _digits(integrand, {**point, variable: number(x)}, seed),
+        *ends,
+    )
+
+
+def number(item: Value) -> Float:
+    """Give a value to SymPy, with all its digits."""
+    return Float(item, DIGITS)
+
+
+@cache
+def _polynomial(name: str, seed: int) -> tuple[Value, ...]:
+    """Coefficients of a quadratic that belongs to a name, the highest first; all are positive."""
+    generator = random.Random(f"{name}() {seed}")  # noqa: S311 - not secret
+    with mp.workdps(DIGITS):
+        parts = [mp.mpf(generator.randint(100, 2_900)) / generator.randint(1_001, 1_099)
+                 for _ in range(3)]  # fmt: skip
+        return parts[0] / 64, parts[1] / 8, parts[2]
 
 
 def are_equal(one: Value, other: Value) -> bool:

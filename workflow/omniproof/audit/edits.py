@@ -76,15 +76,17 @@ def edits(
     vocabulary: Sequence[str],
     relatives: Sequence[str] = (),
     node: tree.Node | None = None,
+    known: Sequence[str] = (),
 ) -> list[Repair]:
     """Return all single edits of a text, sorted, each result once.
 
     `vocabulary` holds the LaTeX of symbols that may be inserted or stand for any other; `relatives`
-    only replace symbols with the same letter or the same index. With `node`, the tree of the text,
-    also what only the tree shows. Raises `LatexError` for a text that cannot be cut into tokens.
+    only replace symbols with the same letter or the same index; those `known` are recognised where
+    they are printed. With `node`, the tree of the text, also what only the tree shows.
+    Raises `LatexError` for a text that cannot be cut into tokens.
     """
     words, kin = ([_Word.read(word) for word in group] for group in (vocabulary, relatives))
-    found = list(_Editor(text, words, kin).edits())
+    found = list(_Editor(text, words, kin, known).edits())
     if node is not None:
         found += _Regrouped(text, node, words).edits()
     # Of two edits to one text the likelier one stays: it comes last, and the last entry wins.
@@ -110,8 +112,7 @@ class _Word:
         """Fonts are left out: they tell no two symbols apart."""
         plain = [text for text in texts if text not in {r"\mathbf", r"\boldsymbol", r"\mathrm"}]
         cut = plain.index("_") if "_" in plain else len(plain)
-        unbraced = (tuple(t for t in part if t not in "{}") for part in (plain[:cut], plain[cut:]))
-        return cls(latex, tuple(texts), *unbraced)
+        return cls(latex, tuple(texts), _unbraced(plain[:cut]), _unbraced(plain[cut:]))
 
     def relation(self, other: _Word) -> Edit:
         """What kind of misprint it is to print one for the other."""
@@ -126,13 +127,27 @@ class _Word:
         return not self.index and not other.index and len(self.base) == len(other.base) == 1
 
 
+def _unbraced(texts: Sequence[str]) -> tuple[str, ...]:
+    """Leave braces out: `v_{x}` and `v_x` are one symbol."""
+    return tuple(text for text in texts if text not in {"{", "}"})
+
+
 class _Editor:
     """The edits that tokens show."""
 
-    def __init__(self, text: str, words: Sequence[_Word], relatives: Sequence[_Word]) -> None:
+    def __init__(
+        self,
+        text: str,
+        words: Sequence[_Word],
+        relatives: Sequence[_Word],
+        known: Sequence[str],
+    ) -> None:
         self.text, self.words, self.relatives = text, words, relatives
         self.tokens = tokenize(text)
-        self.symbols = list(_symbols(self.tokens, {word.texts for word in (*words, *relatives)}))
+        # Without a superscript a symbol is recognised by itself.
+        scripted = (_Word.read(latex) for latex in known if "^" in latex)
+        names = {_unbraced(word.texts) for word in (*words, *relatives, *scripted)}
+        self.symbols = list(_symbols(self.tokens, names))
         inside = {place for first, last in self.symbols for place in range(first, last)}
         self.free = [(k, token) for k, token in enumerate(self.tokens) if k not in inside]
 
@@ -349,7 +364,7 @@ def _symbols(
 ) -> Iterator[tuple[int, int]]:
     """Yield the range of tokens of each symbol, with its accents and indices.
 
-    A superscript belongs to a symbol if both together are `known`.
+    A superscript belongs to a symbol if both together are `known`, braces left out.
     """
     place = 0
     while place < len(tokens):
@@ -360,7 +375,7 @@ def _symbols(
                 place = _after_atom(tokens, place + 1)
             if place < len(tokens) - 1 and tokens[place].text == "^":
                 end = _after_atom(tokens, place + 1)
-                texts = tuple(token.text for token in tokens[first:end])
+                texts = _unbraced([token.text for token in tokens[first:end]])
                 place = end if texts in known else place
             yield first, place
         else:

@@ -9,7 +9,8 @@ of them exactly when it holds for free symbols in their place, in two cases:
   upper limit is fixed, F and G may contain nothing but values of the functions: constant functions
   then tell F from G. So each side becomes the integrand times one symbol for both limits.
 
-Everything else is refused; by parts, the integral of t f(t) would look different from itself.
+Everything else is refused; by parts, the integral of t f(t) would look different from itself. What
+is refused and false is left to `audit.counterexample`.
 """
 
 from __future__ import annotations
@@ -21,9 +22,7 @@ from sympy.core.function import AppliedUndef
 
 from omniproof.audit.balls import UnsupportedError
 
-__all__ = ["ANY_INTEGRAL", "flattened", "without_integrals"]
-
-ANY_INTEGRAL = sp.Symbol("integral", real=True)
+__all__ = ["flattened", "without_integrals"]
 
 
 def without_integrals(left: Any, right: Any) -> tuple[Any, Any]:
@@ -38,12 +37,20 @@ def without_integrals(left: Any, right: Any) -> tuple[Any, Any]:
 
 
 def flattened(value: Any) -> Any:
-    """Write every integral as its integrand times one symbol: true of what is equal, no proof."""
+    """Write every integral as its integrand times the length of its range, for a first look.
+
+    That is what constant functions would give, so where only functions change, what is equal stays
+    so; what becomes equal need not be.
+    """
     if not _is_of_functions(value):
         return value
-    value = value.replace(sp.Integral, lambda inner, *limits: ANY_INTEGRAL ** len(limits) * inner)
+    value = value.replace(sp.Integral, _of_constants)
     functions = value.atoms(AppliedUndef)
     return value.xreplace({f: sp.Symbol(str(f.func), real=True) for f in functions})
+
+
+def _of_constants(integrand: sp.Expr, *limits: Any) -> sp.Expr:
+    return integrand * sp.Mul(*(upper - lower for _, lower, upper in limits))
 
 
 def _is_of_functions(value: Any) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 from sympy import MatrixBase
@@ -56,7 +56,7 @@ def mend(text: str, derived: Any, claim: str, context: Context, factor: Any = 1)
         except (LatexError, TypeError, AttributeError):
             return False
 
-    # A symbol that the truth does not contain is in no repair: a third of the edits, or fewer.
+    # A symbol that the truth does not contain is never put in: a third of the edits, or fewer.
     needed = {symbol.name for symbol in (derived / factor).free_symbols}
     symbols = [s for s in context.loaded.paper.symbols if s.name in needed]
     words = [symbol.latex for symbol in symbols if symbol.role is Role.VARIABLE]
@@ -80,6 +80,8 @@ def equal(printed: Any, derived: Any, domain: Domain = REALS) -> bool:
 def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:
     """Prepare the quick look; there is none at what balls cannot evaluate."""
 
+    # One edit is looked for before two are: the same edits are read for both.
+    @cache
     def read(text: str) -> Node:
         return read_with(text, context.loaded.paper.notation, context.names)
 
@@ -95,7 +97,8 @@ def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:
         return None
     symbols = context.loaded.paper.symbols
     relatives = (symbol.latex for symbol in symbols if symbol.role is Role.QUANTITY)
-    return QuickLook(read, meaning, values, tuple(relatives))
+    known = (symbol.latex for symbol in symbols)
+    return QuickLook(read, meaning, values, tuple(relatives), tuple(known))
 
 
 def _mended(found: Iterable[Repair], grade: Grade, context: Context) -> Mended:

@@ -10,10 +10,10 @@ from __future__ import annotations
 import json
 import random
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +22,16 @@ from sympy import MatrixBase, Rational, Symbol
 from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
-from omniproof.audit.digits import UndefinedError, Value, are_equal, known_value, value
+from omniproof.audit.digits import (
+    Bound,
+    NotEvaluatedError,
+    UndefinedError,
+    Value,
+    are_equal,
+    known_value,
+    number,
+    value,
+)
 from omniproof.audit.mending import mend
 from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
 from omniproof.audit.run import prepare_to_judge
@@ -32,7 +41,7 @@ from omniproof.transcription.model import Claim, Kind, Role
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Node, Symbolic
+from omniproof.transcription.tree import Name, Node, Symbolic
 
 POINTS = 4
 PAPERS = Path("paper_data")
@@ -50,6 +59,7 @@ class Fate(StrEnum):
     MISSED = "different from the original, not flagged"
     FALSE_ALARM = "equal to the original, flagged"
     UNDECIDED = "equal to the original, not decided"
+    NOT_EVALUATED = "not evaluated: nobody knows whether it is equal to the original"
 
 
 FLAGGED = (Fate.EXPLAINED, Fate.POSSIBLE, Fate.UNREPAIRED, Fate.MISREPAIRED)
@@ -129,6 +139,7 @@ class Study:
             "possible": self.counts[Fate.POSSIBLE],
             "equivalent": self.equivalent,
             "proved_equivalent": self.counts[Fate.EQUIVALENT],
+            "not_evaluated": self.counts[Fate.NOT_EVALUATED],
             "kinds": {kind: self._kind(kind) for kind in KINDS},
             "failures": [
                 {"claim": case.claim, "original": case.original, "mutant": case.text,
@@ -233,27 +244,34 @@ def _decide(printed: Any, derived: Any, domain: Domain) -> Answer | None:
 
 def fate(original: Original, mutant: Mutant, context: Context) -> Case:
     """Judge one mutant, and repair it if it is flagged."""
-    judge = _Judge(original, context)
     case = (original.claim, original.text, mutant.kind, mutant.text)
     try:
-        printed = context.value(mutant.text, original.claim) * original.factor
+        return Case(*case, *_fate(original, mutant.text, context))
+    except NotEvaluatedError:
+        return Case(*case, Fate.NOT_EVALUATED)
+
+
+def _fate(original: Original, text: str, context: Context) -> tuple[Fate, str]:
+    judge = _Judge(original, context)
+    try:
+        printed = context.value(text, original.claim) * original.factor
         answer = _decide(printed, original.derived, context.domain(original.claim))
     except (LatexError, TypeError):
         answer = None
     if answer is None:
-        return Case(*case, Fate.REFUSED)
+        return Fate.REFUSED, ""
     # A misprint that holds on a branch only is reported as conditional: it has not slipped through.
     flagged = isinstance(answer, Refuted | OnBranch)
-    if judge.is_equal(mutant.text):
+    if judge.is_equal(text):
         equal = Fate.EQUIVALENT if isinstance(answer, Proved) else Fate.UNDECIDED
-        return Case(*case, Fate.FALSE_ALARM if flagged else equal)
+        return (Fate.FALSE_ALARM if flagged else equal), ""
     if not flagged:
-        return Case(*case, Fate.MISSED)
-    mended = mend(mutant.text, original.derived, original.claim, context, original.factor)
+        return Fate.MISSED, ""
+    mended = mend(text, original.derived, original.claim, context, original.factor)
     if mended is None:
-        return Case(*case, Fate.UNREPAIRED)
+        return Fate.UNREPAIRED, ""
     right = Fate[mended.grade.name] if judge.is_equal(mended.text) else Fate.MISREPAIRED
-    return Case(*case, right, mended.text)
+    return right, mended.text
 
 
 @dataclass(frozen=True)
@@ -264,12 +282,21 @@ class _Judge:
     context: Context
 
     def is_equal(self, text: str) -> bool:
-        """Whether a text and the original agree at every point where both are defined."""
-        node = _read(text, self.context)
-        pairs = [(self.at(node, seed), self.at(self.own, seed)) for seed in range(POINTS)]
-        both = [(own, other) for own, other in pairs if own is not None and other is not None]
+        """Whether a text and the original agree at every point where both are defined.
+
+        Raises `NotEvaluatedError` where the digits reach one of them nowhere.
+        """
+        node, compared = _read(text, self.context), False
+        if node == self.own:
+            return True
+        for seed in range(POINTS):
+            own, other = self.at(self.own, seed), self.at(node, seed)
+            if own is not None and other is not None:
+                if not are_equal(own, other):
+                    return False
+                compared = True
         # Defined at no common point is no evidence of being equal.
-        return bool(both) and all(are_equal(*pair) for pair in both)
+        return compared
 
     @cached_property
     def own(self) -> Node:
@@ -278,26 +305,34 @@ class _Judge:
     def at(self, node: Node, seed: int) -> Value:
         """Give the value at a point, `None` where there is none."""
         try:
-            return value(node, lambda symbol: self.meaning(symbol, seed))
+            return value(node, partial(self.meaning, seed))
+        except NotEvaluatedError:
+            raise
         except UndefinedError:
             return None
 
-    def meaning(self, symbol: Symbolic, seed: int) -> Value:
+    def meaning(self, seed: int, symbol: Symbolic, bound: Bound) -> Value:
         try:
-            known = evaluate(symbol, self.context.meanings_at(self.original.claim, symbol))
+            known = self.known(symbol)
+            moved = {self.known(Name(name)): number(x) for name, x in bound.items()}
         except LatexError:
-            raise UndefinedError(f"{symbol.name} has no meaning") from None
-        return _known_value(known, seed)
+            raise NotEvaluatedError(f"{symbol.name} has no meaning") from None
+        return _known_value(known, seed, moved)
+
+    def known(self, symbol: Symbolic) -> Any:
+        return evaluate(symbol, self.context.meanings_at(self.original.claim, symbol))
 
 
 _VALUES: dict[tuple[Any, int], Value] = {}
 
 
-def _known_value(known: Any, seed: int) -> Value:
-    """Evaluate a quantity once a point."""
+def _known_value(known: Any, seed: int, moved: Mapping[Any, Any]) -> Value:
+    """Evaluate a quantity, at a point once; inside of an integral its variable moves."""
+    point = {symbol: _coordinate(symbol, seed) for symbol in known.free_symbols}
+    if moved.keys() & point.keys():
+        return known_value(known, point | dict(moved), seed)
     if (known, seed) not in _VALUES:
-        point = {symbol: _coordinate(symbol, seed) for symbol in known.free_symbols}
-        _VALUES[known, seed] = known_value(known, point)
+        _VALUES[known, seed] = known_value(known, point, seed)
     return _VALUES[known, seed]
 
 

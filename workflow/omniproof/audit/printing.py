@@ -25,7 +25,8 @@ class Spelling:
         if isinstance(value, tuple):
             return r",\; ".join(self.latex(entry) for entry in value)
         value = self._abbreviated(value)
-        functions = {f: Dummy() for f in value.atoms(AppliedUndef)}
+        # SymPy orders terms by names: those of the functions, so that every run prints alike.
+        functions = {f: Dummy(str(f)) for f in value.atoms(AppliedUndef)}
         names = {own: _applied(f) for f, own in functions.items()}
         text = latex(
             value.xreplace(functions),

@@ -50,6 +50,7 @@ class QuickLook:
     meaning: Callable[[tree.Symbolic], Values]
     target: Values
     relatives: tuple[str, ...] = ()
+    known: tuple[str, ...] = ()
 
 
 def repair(
@@ -108,7 +109,8 @@ class _Search:
     def __init__(self, printed: str, vocabulary: Sequence[str], quick: QuickLook) -> None:
         self.printed, self.quick = printed, quick
         self.root = quick.read(printed)
-        self.edits = edits(printed, vocabulary, quick.relatives, self.root)[:MOST_EDITS]
+        found = edits(printed, vocabulary, quick.relatives, self.root, quick.known)
+        self.edits = found[:MOST_EDITS]
         self.known: dict[Path, tuple[tree.Node, Values]] = {}
         self.learn((), self.root)
 

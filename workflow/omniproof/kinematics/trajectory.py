@@ -18,6 +18,7 @@ the body's frame, in m/s and rad/s; paths are 2x1, (X, Y) in the world's frame, 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache
 
 from sympy import (
     Abs,
@@ -79,6 +80,7 @@ def world_velocity(twist: MatrixBase, heading: Scalar) -> ImmutableMatrix:
     return ImmutableMatrix(world_from_body(heading) * twist)
 
 
+@cache
 def heading(yaw_rate: Scalar, time: Symbol) -> Expr:
     """Heading (rad) at `time`, from 0 at time 0: the integral of `yaw_rate` (rad/s).
 

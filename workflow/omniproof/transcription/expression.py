@@ -157,7 +157,10 @@ def _applied(scope: _Scope, node: tree.Applied) -> Value:
     if len(node.arguments) != len(function.of):
         scope.refuse(node, f"expected {len(function.of)} arguments of `{node.name}`")
     arguments = [scope.number(argument) for argument in node.arguments]
-    return value.xreplace(dict(zip(function.of, arguments, strict=True)))
+    places = dict(zip(function.of, arguments, strict=True))
+    # The variable of an integral is no argument, even where papers give both one name.
+    bound = value.has(sympy.Integral)
+    return value.subs(places, simultaneous=True) if bound else value.xreplace(places)
 
 
 def _sum(scope: _Scope, node: tree.Sum) -> Value:

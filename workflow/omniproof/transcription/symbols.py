@@ -19,6 +19,7 @@ from omniproof.transcription.tree import Span
 END = Token("end of formula", "", (0, 0))
 _WORD = re.compile("[A-Za-z]{2,}")
 _WHOLE = re.compile("[-+]?[0-9]+")
+NO_SIGNS = frozenset({"text", "begin", "end"})
 TRANSPOSE = frozenset({"T", "t", "\\top"})
 
 
@@ -37,8 +38,11 @@ class Cursor:
 
     def at(self, *texts: str) -> bool:
         """Whether the next token is one of these signs or commands."""
-        token = self.peek()
-        return token.text in texts and token.kind not in {"text", "begin", "end"}
+        # Asked a thousand times a formula: `peek` would be as much work again.
+        if self.place >= len(self.tokens):
+            return False
+        token = self.tokens[self.place]
+        return token.text in texts and token.kind not in NO_SIGNS
 
     def take(self) -> Token:
         """Step over the next token and return it."""
@@ -55,8 +59,9 @@ class Cursor:
     @property
     def start(self) -> int:
         """Offset of the next token."""
-        token = self.peek()
-        return len(self.source.rstrip()) if token is END else token.span[0]
+        if self.place < len(self.tokens):
+            return self.tokens[self.place].span[0]
+        return len(self.source.rstrip())
 
     def since(self, start: int) -> Span:
         """The span from an offset to the end of the token just taken."""

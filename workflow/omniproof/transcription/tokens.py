@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 from difflib import get_close_matches
+from functools import lru_cache
+from typing import NamedTuple
 
 from omniproof.transcription.tree import Span
 
@@ -49,8 +50,7 @@ def _excerpt(source: str, span: Span) -> tuple[str, int]:
     return re.sub(r"[^\S ]|[^ -\U0010ffff]|\x7f", " ", source[start : start + EXCERPT]), start
 
 
-@dataclass(frozen=True)
-class Token:
+class Token(NamedTuple):
     """One token: its kind, its text after synonyms, its place."""
 
     kind: str
@@ -160,7 +160,7 @@ def tokenize(source: str) -> tuple[Token, ...]:
 def _scan(source: str) -> Iterator[Token]:
     label = _LABEL.search(source, max(0, len(source) - 60))
     for match in _SCANNER.finditer(source, 0, label.start() if label else len(source)):
-        token = _token(match.lastgroup or "", match.group(), match.span())
+        token = Token(*_settled(match.lastgroup or "", match.group()), match.span())
         if token.kind in {"unknown", "word"} or (
             token.kind == "begin" and token.text not in TABLES
         ):
@@ -169,16 +169,18 @@ def _scan(source: str) -> Iterator[Token]:
             yield token
 
 
-def _token(kind: str, text: str, span: Span) -> Token:
+# A repair reads a formula thousands of times: the same few hundred words.
+@lru_cache(maxsize=4_096)
+def _settled(kind: str, text: str) -> tuple[str, str]:
     """Settle kind and text: synonyms and bars in one spelling, environments by their name."""
     if kind in {"word", "sign", "symbol"}:
-        return Token(*_classify(SYNONYMS.get(text, text)), span)
+        return _classify(SYNONYMS.get(text, text))
     if kind in {"open", "close"}:
-        return Token(kind, "\\|" if "\\|" in text or "V" in text else "|", span)
+        return kind, "\\|" if "\\|" in text or "V" in text else "|"
     if kind in {"begin", "end"}:
         name = text[text.index("{") + 1 : text.index("}")].strip().rstrip("*")
-        return Token("space" if name in FRAMES else kind, name, span)
-    return Token(kind, text, span)
+        return "space" if name in FRAMES else kind, name
+    return kind, text
 
 
 def _classify(text: str) -> tuple[str, str]:

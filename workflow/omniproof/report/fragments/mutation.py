@@ -34,6 +34,7 @@ class Mutation(BaseModel):
     repaired: int
     equivalent: int
     proved_equivalent: int
+    not_evaluated: int
     kinds: dict[str, ByKind]
 
     @classmethod
