@@ -39,7 +39,10 @@ def _recurrence(row: Row, context: Context, first_places: dict[tuple[str, ...], 
 
 
 def _premise(row: Row, context: Context, faults: Mapping[str, Row]) -> str:
-    """Return the faulty claim on which a right row rests, or a wrong one in the same way."""
+    """Return the faulty claim on which a right row rests, or a wrong one in the same way.
+
+    A decimal is held against the mended claim: a wrong one is explained only where it is the same.
+    """
     derivation = context.registry.derivations.get(row.id) or context.registry.derivations.get(
         row.id.partition("[")[0]
     )
@@ -47,12 +50,17 @@ def _premise(row: Row, context: Context, faults: Mapping[str, Row]) -> str:
         return ""
     for premise in derivation.rests_on:
         fault = faults.get(premise)
-        if fault and row.verdict in {Verdict.VERIFIED, fault.verdict}:
+        if fault and (row.verdict is Verdict.VERIFIED or _is_alike(row, fault)):
             return premise
     convention = derivation.convention
     if convention in faults and (row.verdict is Verdict.VERIFIED or _only_here(row, context)):
         return convention
     return ""
+
+
+def _is_alike(row: Row, fault: Row) -> bool:
+    same_decimal = row.kind is not Kind.VALUE or row.printed == fault.printed
+    return row.verdict is fault.verdict and same_decimal
 
 
 def _only_here(row: Row, context: Context) -> bool:
