@@ -31,9 +31,9 @@ from sympy import (
     symbols,
 )
 
-from omniproof.transcription.expression import Function, evaluate, names
+from omniproof.transcription.expression import Function, evaluate
 from omniproof.transcription.reader import LatexError, read
-from omniproof.transcription.tree import Applied
+from omniproof.transcription.tree import Applied, names
 
 a, b, c, x, theta = symbols("a b c x theta", real=True)
 u = ImmutableMatrix([1, 2, 2])

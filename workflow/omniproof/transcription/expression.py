@@ -22,9 +22,6 @@ from sympy import Expr, ImmutableMatrix, MatrixBase, Rational, Symbol
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import names
-
-__all__ = ["Function", "Meaning", "Value", "evaluate", "names"]
 
 Meaning: TypeAlias = Any
 """An expression, a matrix, for a quantity with arguments a `Function` of them, or an operator."""
