@@ -18,11 +18,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from omniproof.simulation import sphere
+from omniproof.simulation import sphere, sphere_model
 from omniproof.simulation.engine import ImplausibleRunError, Recording
 from omniproof.simulation.sphere_model import LOAD
 from omniproof.simulation.sphere_rollers import three_rollers, two_rollers
 
+CASES = {case.name: case for case in sphere.MODEL.cases}
 RIM = 1e-4
 HELD = 2 * sphere.DRY
 NARROW = np.sqrt((1 + np.cos(np.radians(60)) ** 2 * np.cos(np.radians(110)) + 0.75) / 2)
@@ -36,7 +37,7 @@ def runs() -> Any:
 
     def run(name: str) -> tuple[Recording, Any]:
         if name not in made:
-            case = sphere.MODEL.case(name)
+            case = CASES[name]
             recording = sphere.MODEL.simulate(case)
             made[name] = recording, sphere.MODEL.summarise(case, recording)
         return made[name]
@@ -176,6 +177,19 @@ def test_the_steady_spin_depends_on_no_step(runs: Any) -> None:
     np.testing.assert_allclose(spins, [spins[0]] * 3, atol=1e-8)
 
 
+def test_what_is_left_of_the_viscous_error_is_the_depth_of_the_contacts(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Depth goes with the square of the contacts' time constant, and so does the error."""
+    case = CASES["three-30-17-viscous"]
+    errors = []
+    for settle in (0.005, 0.01, 0.02):
+        monkeypatch.setattr(sphere_model, "SETTLE", settle)
+        recording = sphere.MODEL.simulate(case)
+        errors.append(sphere.MODEL.summarise(case, recording)["error_least_squares"])
+    np.testing.assert_allclose(errors, errors[0] * np.array([1, 4, 16]), rtol=0.1)
+
+
 def test_contacts_bear_their_loads_and_slip_as_rim_and_sphere_do(runs: Any) -> None:
     """What MuJoCo says about its contacts, against the spin and the speeds asked for."""
     recording, summary = runs("three-20-55-viscous")
@@ -190,7 +204,7 @@ def test_contacts_bear_their_loads_and_slip_as_rim_and_sphere_do(runs: Any) -> N
 
 
 def changed(name: str, **parameters: float) -> Any:
-    case = sphere.MODEL.case(name)
+    case = CASES[name]
     return replace(case, parameters={**case.parameters, **parameters})
 
 
@@ -214,13 +228,12 @@ def test_an_implausible_run_raises_with_what_reproduces_it(
 def test_a_load_that_is_not_borne_raises(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sphere, "BORNE", -1.0)
     with pytest.raises(ImplausibleRunError, match=r"roller 1 bears 2 N at last instead of 2 N"):
-        sphere.MODEL.simulate(sphere.MODEL.case("three-20-17-dry"))
+        sphere.MODEL.simulate(CASES["three-20-17-dry"])
 
 
 def test_cases_have_names_of_their_own_and_quantities_have_units(runs: Any) -> None:
-    names = [case.name for case in sphere.MODEL.cases]
-    assert len(names) == len(set(names))
-    assert all(re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", name) for name in names)
+    assert len(CASES) == len(sphere.MODEL.cases)
+    assert all(re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", name) for name in CASES)
     for name in ("three-10-17-dry", "two-20-viscous"):
         assert set(runs(name)[1]) <= set(sphere.MODEL.units)
 

@@ -16,7 +16,6 @@ than dry friction of this load would a sphere of this inertia.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cache
 from itertools import product
 from types import MappingProxyType
 
@@ -26,10 +25,13 @@ import numpy as np
 from omniproof.simulation.case import Case, Model
 from omniproof.simulation.engine import ImplausibleRunError, Limits, Parameters, Recording, run
 from omniproof.simulation.sphere_model import FRICTION, commands, xml
-from omniproof.simulation.sphere_rollers import SetUp, set_up
+from omniproof.simulation.sphere_rollers import set_up
 
 VISCOUS, DRY = 1.0, 0.001
-"""Slip up to which friction grows (m/s): no roller slips as fast, all but one slip faster."""
+"""Creeps of the laws, m/s.
+
+In the end no roller slips as fast as the first, and all but one slip faster than the second.
+"""
 
 LADDER = (0.3, 0.1, 0.03, 0.01, 0.003)
 """Creeps between both, m/s."""
@@ -65,7 +67,7 @@ BORNE = 1e-6
 """Most that a contact's force may differ from the load, as a part of it."""
 
 LIMITS = Limits(energy=1000)
-"""Three flywheels at 1 m/s hold 188 J each at most."""
+"""Three flywheels at 1 m/s hold 125 J each; what is more is not the sphere's."""
 
 UNITS: Mapping[str, str] = MappingProxyType(
     {
@@ -90,7 +92,7 @@ def simulate(case: Case) -> Recording:
     `ImplausibleRunError`.
     """
     parameters = case.parameters
-    rollers = _set_up(case).rollers
+    rollers = set_up(parameters).rollers
     asked = commands(rollers)
     normal = np.cross(rollers[0].contact, rollers[1].contact)
     released = float(parameters["start"]) * normal / np.linalg.norm(normal)
@@ -160,7 +162,7 @@ def summarise(case: Case, recording: Recording) -> Mapping[str, float]:
     spin of dry friction, which lies at `share` between the rollers' lines; `apart` is the distance
     of the least-squares point to it. `circle_radius` is the level part of the spin. Units: `UNITS`.
     """
-    theory = _set_up(case)
+    theory = set_up(case.parameters)
     last = {name: float(column[-1]) for name, column in recording.columns.items()}
     spin = np.array([last[f"spin_{axis}"] for axis in "xyz"])
     dry, share = theory.nearest_dry(spin)
@@ -182,15 +184,6 @@ def summarise(case: Case, recording: Recording) -> Mapping[str, float]:
 
 def _distance(one: np.ndarray, other: np.ndarray) -> float:
     return float(np.linalg.norm(one - other))
-
-
-def _set_up(case: Case) -> SetUp:
-    return _cached_set_up(tuple(case.parameters.items()))
-
-
-@cache
-def _cached_set_up(items: tuple[tuple[str, float | str], ...]) -> SetUp:
-    return set_up(dict(items))
 
 
 # Cases

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache, cached_property
 from math import cos, radians, sin
 
 import numpy as np
@@ -32,7 +33,7 @@ class SetUp:
     rollers: tuple[Roller, ...]
     dry_ends: tuple[np.ndarray, np.ndarray]
 
-    @property
+    @cached_property
     def least_squares(self) -> np.ndarray:
         """Spin with the least sum of squared slips: (3,), in rad/s."""
         return _floats(sphere.least_squares_spin(*_columns(self.rollers), RADIUS))
@@ -56,6 +57,7 @@ class SetUp:
         return first + share * way, share
 
 
+@cache
 def three_rollers(elevation_deg: float, phase_deg: float) -> SetUp:
     """Pattern of the three-roller paper: one elevation (below 35.26 degrees), inputs of a phase.
 
@@ -79,6 +81,7 @@ def three_rollers(elevation_deg: float, phase_deg: float) -> SetUp:
     return SetUp(rollers, (dry, dry))
 
 
+@cache
 def two_rollers(tilt_deg: float, heavier: float = 1.0) -> SetUp:
     """Symmetric arrangement of the two-roller paper, driven so that the sphere travels at 1 m/s.
 
