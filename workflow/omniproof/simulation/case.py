@@ -7,15 +7,20 @@ physics engine takes a while to load.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from importlib import import_module
 from types import MappingProxyType
 
 from omniproof.simulation.engine import Parameters, Recording
 
-MODELS: tuple[str, ...] = ()
+MODELS: tuple[str, ...] = ("omni-robot",)
 """The models, in the order of the report."""
+
+
+class UnknownNameError(LookupError):
+    """A model or a case that there is none of."""
 
 
 @dataclass(frozen=True)
@@ -40,12 +45,17 @@ class Model:
     units: Mapping[str, str]
 
     def case(self, name: str) -> Case:
-        """Return the case of a name; `KeyError` if there is none."""
-        return {case.name: case for case in self.cases}[name]
+        """Return the case of a name; raises `UnknownNameError` with the nearest one."""
+        cases = {case.name: case for case in self.cases}
+        if name not in cases:
+            raise _unknown("case", name, cases)
+        return cases[name]
 
 
 def model(name: str) -> Model:
-    """Return a model by its name, such as `omni-robot`."""
+    """Return a model by its name, such as `omni-robot`; raises `UnknownNameError`."""
+    if name not in MODELS:
+        raise _unknown("model", name, MODELS)
     found: Model = import_module(f"omniproof.simulation.{name.replace('-', '_')}").MODEL
     return found
 
@@ -53,3 +63,9 @@ def model(name: str) -> Model:
 def models() -> Mapping[str, Model]:
     """Return all models by name."""
     return MappingProxyType({name: model(name) for name in MODELS})
+
+
+def _unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
+    close = get_close_matches(name, known, n=1)
+    cure = f"did you mean `{close[0]}`?" if close else f"known: {', '.join(known)}"
+    return UnknownNameError(f"expected a {what}, found {name!r}\n    {cure}")
