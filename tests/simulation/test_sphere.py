@@ -100,7 +100,7 @@ def test_dry_contacts_do_not(elevation: int, phase: int, runs: Any) -> None:
     assert summary["circle_radius"] == pytest.approx(1, abs=HELD)
     away = np.linalg.norm(spin - least_squares(*setting))
     assert away > 20 * HELD
-    assert away == pytest.approx(summary["error_least_squares"], abs=1e-9)
+    assert away == pytest.approx(summary["error_least_squares"], abs=1e-6)
 
 
 @pytest.mark.parametrize(("elevation", "phase"), RAISED)
@@ -130,7 +130,7 @@ def test_viscous_contacts_lead_two_rollers_to_the_midpoint(tilt: int, runs: Any)
 @pytest.mark.parametrize(
     ("name", "low", "high"),
     [
-        pytest.param("two-30-dry", 0.4, 0.6, id="from rest: near the middle"),
+        pytest.param("two-30-dry", 0.499, 0.501, id="from rest: half-way, as both are mirrored"),
         pytest.param("two-30-dry-from-aside", 0.6, 0.9, id="from aside: farther out"),
         pytest.param("two-30-dry-from-far", 0.99, 1, id="from far: at the end"),
         pytest.param("two-10-dry-from-far", 0.99, 1, id="from far, lines nearer: at the end"),
@@ -190,6 +190,13 @@ def test_what_is_left_of_the_viscous_error_is_the_depth_of_the_contacts(
     np.testing.assert_allclose(errors, errors[0] * np.array([1, 4, 16]), rtol=0.1)
 
 
+def test_rollers_start_as_deep_as_their_loads_press_them(runs: Any) -> None:
+    """From the first row after the start, where nothing presses yet: so no roller flies off."""
+    recording, _ = runs("two-20-viscous")
+    for number in (1, 2):
+        np.testing.assert_allclose(recording.columns[f"load_{number}"][1:], LOAD, rtol=1e-4)
+
+
 def test_contacts_bear_their_loads_and_slip_as_rim_and_sphere_do(runs: Any) -> None:
     """What MuJoCo says about its contacts, against the spin and the speeds asked for."""
     recording, summary = runs("three-20-55-viscous")
@@ -200,7 +207,7 @@ def test_contacts_bear_their_loads_and_slip_as_rim_and_sphere_do(runs: Any) -> N
     np.testing.assert_allclose(loads, LOAD, rtol=1e-6)
     # Viscous: friction over its limit is slip over creep.
     grips = [summary[f"grip_{number}"] for number in (1, 2, 3)]
-    np.testing.assert_allclose(grips, np.array(found) / sphere.VISCOUS, rtol=1e-6)
+    np.testing.assert_allclose(grips, np.array(found) / sphere.VISCOUS, atol=1e-5)
 
 
 def changed(name: str, **parameters: float) -> Any:

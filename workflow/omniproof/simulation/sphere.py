@@ -66,6 +66,9 @@ unlike slips they are pressed in unlike depths, and so the spin wanders, by 3e-5
 BORNE = 1e-6
 """Most that a contact's force may differ from the load, as a part of it."""
 
+DECIMALS = 6
+"""Of the numbers read off a run: what is less than that is round-off where theory says zero."""
+
 LIMITS = Limits(energy=1000)
 """Three flywheels at 1 m/s hold 125 J each; what is more is not the sphere's."""
 
@@ -167,7 +170,7 @@ def summarise(case: Case, recording: Recording) -> Mapping[str, float]:
     spin = np.array([last[f"spin_{axis}"] for axis in "xyz"])
     dry, share = theory.nearest_dry(spin)
     numbers = range(1, len(theory.rollers) + 1)
-    return {
+    found = {
         "error_least_squares": _distance(spin, theory.least_squares),
         "error_dry": _distance(spin, dry),
         "apart": _distance(theory.least_squares, dry),
@@ -180,6 +183,7 @@ def summarise(case: Case, recording: Recording) -> Mapping[str, float]:
             for name, number in product(("slip", "grip"), numbers)
         },
     }
+    return {name: round(value, DECIMALS) for name, value in found.items()}
 
 
 def _distance(one: np.ndarray, other: np.ndarray) -> float:
