@@ -7,8 +7,8 @@ joints, which keep it level (the quasi-static motion of Yi, section 3).
 MuJoCo has no concave surface, so the inside of the ball is a shell of thin boxes, the facets, each
 tangent to the sphere at its middle and spread evenly. Facets lie outside the sphere, by up to
 `facet_gap`; so the platform sits deeper by that and by the depth of its contacts, and the zenith
-angle is smaller by as much. Step, softness and number of facets were chosen where halving one
-changes the ball's velocity by less than 0.3 %.
+angle is a little smaller than asked for. Half the step, half the side of the facets, or contacts
+stiffer by a third change the ball's velocity by less than 0.3 %.
 
 Lengths in m, masses in kg; the numbers of the robot are ours, the paper has none.
 """
