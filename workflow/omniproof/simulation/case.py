@@ -15,7 +15,7 @@ from types import MappingProxyType
 
 from omniproof.simulation.engine import Parameters, Recording
 
-MODELS: tuple[str, ...] = ("omni-robot",)
+MODELS: tuple[str, ...] = ("omni-robot", "ballbot", "sphere")
 """The models, in the order of the report."""
 
 
