@@ -48,14 +48,14 @@ class Model:
         """Return the case of a name; raises `UnknownNameError` with the nearest one."""
         cases = {case.name: case for case in self.cases}
         if name not in cases:
-            raise _unknown("case", name, cases)
+            raise unknown("case", name, cases)
         return cases[name]
 
 
 def model(name: str) -> Model:
     """Return a model by its name, such as `omni-robot`; raises `UnknownNameError`."""
     if name not in MODELS:
-        raise _unknown("model", name, MODELS)
+        raise unknown("model", name, MODELS)
     found: Model = import_module(f"omniproof.simulation.{name.replace('-', '_')}").MODEL
     return found
 
@@ -65,7 +65,8 @@ def models() -> Mapping[str, Model]:
     return MappingProxyType({name: model(name) for name in MODELS})
 
 
-def _unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
+def unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
+    """Return the error for a name that is none of those `known`, with the nearest one."""
     close = get_close_matches(name, known, n=1)
     cure = f"did you mean `{close[0]}`?" if close else f"known: {', '.join(known)}"
     return UnknownNameError(f"expected a {what}, found {name!r}\n    {cure}")

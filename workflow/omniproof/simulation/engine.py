@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -24,6 +25,10 @@ Control = Callable[[mujoco.MjModel, mujoco.MjData], None]
 """Sets actuators (`data.ctrl`) or forces (`data.qfrc_applied`) before each step."""
 Observe = Callable[[mujoco.MjModel, mujoco.MjData], Mapping[str, float]]
 """Reads the columns of a recording off the state, in SI units."""
+
+Progress = Callable[[float], None]
+"""Takes the share of a run that is done, from 0 to 1."""
+_PROGRESS: ContextVar[Progress | None] = ContextVar("progress", default=None)
 
 NO_PARAMETERS: Parameters = MappingProxyType({})
 
@@ -85,7 +90,7 @@ def run(  # noqa: PLR0913 - all by name
         _whole("duration", duration, "every", every),
     )
     model, data = _at_start(xml, step, start)
-    rows = []
+    rows, report = [], _PROGRESS.get()
     with _warnings() as warned:
         for instant in range(first, last + 1):
             # A step leaves places and contacts of its beginning beside the state of its end.
@@ -95,10 +100,22 @@ def run(  # noqa: PLR0913 - all by name
                 raise ImplausibleRunError(f"at t = {instant * every:.4g} s {fault}", shown)
             if instant >= 0:
                 rows.append(observe(model, data))
+            if report:
+                report((instant - first) / max(1, last - first))
             if instant < last:
                 _advance(model, data, control, stride)
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
     return Recording(every * np.arange(len(rows)), MappingProxyType(columns))
+
+
+@contextmanager
+def reporting(progress: Progress) -> Iterator[None]:
+    """Tell `progress` how far the runs inside are: models need not pass it on."""
+    token = _PROGRESS.set(progress)
+    try:
+        yield
+    finally:
+        _PROGRESS.reset(token)
 
 
 def _at_start(xml: str, step: float, start: float) -> tuple[mujoco.MjModel, mujoco.MjData]:

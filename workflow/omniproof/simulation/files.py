@@ -27,7 +27,7 @@ def recording_csv(recording: Recording) -> str:
         [f"{time:.6g}", *(f"{columns[name][k]:.4g}" for name in columns)]
         for k, time in enumerate(recording.time)
     )
-    return _csv(["time", *columns], rows)
+    return csv_text(["time", *columns], rows)
 
 
 def summary_rows(found: Model, case: Case, recording: Recording) -> Iterator[tuple[str, ...]]:
@@ -50,8 +50,8 @@ def write_model(name: str, cases: Mapping[str, Path], numbers: Path, times: Path
         seconds.append((case.name, f"{perf_counter() - start:.2f}"))
         _write(cases[case.name], recording_csv(recording))
         rows += summary_rows(found, case, recording)
-    _write(numbers, _csv(SUMMARY, rows))
-    _write(times, _csv(TIMES, seconds))
+    _write(numbers, csv_text(SUMMARY, rows))
+    _write(times, csv_text(TIMES, seconds))
 
 
 def write_summary(parts: Iterable[Path], summary: Path) -> None:
@@ -60,10 +60,11 @@ def write_summary(parts: Iterable[Path], summary: Path) -> None:
     for part in parts:
         with part.open(encoding="utf-8", newline="") as stream:
             rows += list(csv.reader(stream))[1:]
-    _write(summary, _csv(SUMMARY, rows))
+    _write(summary, csv_text(SUMMARY, rows))
 
 
-def _csv(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+def csv_text(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Write a table as CSV."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerows([head, *rows])
     return text.getvalue()
