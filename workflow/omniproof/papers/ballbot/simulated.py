@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from math import cos, radians
 
+import numpy as np
 import pandas as pd
 
 SIDES = {"inside": "inside the ball", "on-top": "on top of it"}
@@ -49,10 +50,9 @@ def turns_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
     Each row: set-up; yaw rate of the platform; spin of the ball; their difference; what both laws
     say of it.
     """
-    numbers = _by_case(summary)
+    rates = _by_case(summary).loc[list(TURNS), TURN_RATES].to_numpy(dtype=np.float64)
     rows = []
-    for case, words in TURNS.items():
-        yaw_rate, spin, law = numbers.loc[case, TURN_RATES].astype(float)
+    for words, (yaw_rate, spin, law) in zip(TURNS.values(), rates, strict=True):
         rows.append([words, *map(_signed, (yaw_rate, spin, yaw_rate - spin, law))])
     return rows
 
