@@ -245,6 +245,33 @@ def test_cases_have_names_of_their_own_and_quantities_have_units(runs: Any) -> N
         assert set(runs(name)[1]) <= set(sphere.MODEL.units)
 
 
+@pytest.mark.parametrize(
+    ("name", "parameters", "message"),
+    [
+        pytest.param(
+            "three-20-17-dry",
+            {"elevation_deg": 36.0},
+            "expected an elevation from 0 to 35.26 degrees, got 36.0",
+            id="no dry spin is known",
+        ),
+        pytest.param(
+            "two-30-dry-heavier",
+            {"heavier": 0.5},
+            "expected roller 1 to bear the greater load, got 0.5 of roller 2's",
+            id="the other roller would stick",
+        ),
+        pytest.param(
+            "two-30-dry", {"creep": 0.0}, "expected a positive creep, got 0.0 m/s", id="no creep"
+        ),
+    ],
+)
+def test_parameters_out_of_range_are_refused(
+    name: str, parameters: dict[str, float], message: str
+) -> None:
+    with pytest.raises(ValueError, match=re.escape(message)):
+        sphere.MODEL.simulate(changed(name, **parameters))
+
+
 def test_the_least_sum_of_slips_of_two_rollers_by_hand() -> None:
     """The difference of the heights of both lines, at each spin between them."""
     setting = two_rollers(20)

@@ -195,21 +195,18 @@ def _distance(one: np.ndarray, other: np.ndarray) -> float:
 
 def three(elevation: int, phase: int, name: str, creep: float, step: float = STEP) -> Case:
     """Case of three rollers: elevation of the contacts and phase of the inputs in degrees."""
-    parameters = {"rollers": 3, "elevation_deg": elevation, "angle_deg": phase}
-    return _case(f"three-{elevation}-{phase}-{name}", parameters, creep=creep, step=step)
+    angles = {"elevation_deg": float(elevation), "phase_deg": float(phase)}
+    return _case(f"three-{elevation}-{phase}-{name}", {**angles, "creep": creep, "step": step})
 
 
-def two(tilt: int, name: str, creep: float, start: float = 0, heavier: float = 1) -> Case:
+def two(tilt: int, name: str, creep: float, start: float = 0.0, heavier: float = 1.0) -> Case:
     """Case of two rollers: angle of roller 1 (degrees), spin at the start, ratio of the loads."""
-    parameters = {"rollers": 2, "angle_deg": tilt, "heavier": heavier}
-    return _case(f"two-{tilt}-{name}", parameters, creep=creep, start=start)
+    pair = {"tilt_deg": float(tilt), "heavier": heavier}
+    return _case(f"two-{tilt}-{name}", {**pair, "creep": creep, "start": start, "step": STEP})
 
 
-def _case(
-    name: str, parameters: Parameters, *, creep: float, start: float = 0, step: float = STEP
-) -> Case:
-    whole = {**parameters, "creep": creep, "start": start, "step": step}
-    return Case("sphere", name, MappingProxyType(whole))
+def _case(name: str, parameters: Parameters) -> Case:
+    return Case("sphere", name, MappingProxyType({"start": 0.0, **parameters}))
 
 
 def _cases() -> Iterator[Case]:

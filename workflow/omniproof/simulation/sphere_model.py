@@ -75,7 +75,12 @@ class Roller:
 
 
 def xml(rollers: Sequence[Roller], creep: float) -> str:
-    """Write the model of a sphere with some rollers; `creep` (m/s) belongs to the load `LOAD`."""
+    """Write the model of a sphere with some rollers; `creep` (m/s) belongs to the load `LOAD`.
+
+    Raises `ValueError` for a creep that is not positive.
+    """
+    if creep <= 0:
+        raise ValueError(f"expected a positive creep, got {creep} m/s")
     # MuJoCo's friction has the compliance R = R_n / impratio.
     ratio = FRICTION * LOAD * GIVE / (RATE * creep)
     numbers = range(1, len(rollers) + 1)

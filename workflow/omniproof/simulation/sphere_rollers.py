@@ -59,11 +59,14 @@ class SetUp:
 
 @cache
 def three_rollers(elevation_deg: float, phase_deg: float) -> SetUp:
-    """Pattern of the three-roller paper: one elevation (below 35.26 degrees), inputs of a phase.
+    """Pattern of the three-roller paper: one elevation, inputs of one phase.
 
-    Source: Kimura, Ogata, Hirai, Ueda, Ishii, "A Modeling of Sphere Considering Slipping Adapted
-    Three-Rollers", section 3.
+    Raises `ValueError` from 35.26 degrees on, where dry friction holds no roller. Source: Kimura,
+    Ogata, Hirai, Ueda, Ishii, "A Modeling of Sphere Considering Slipping Adapted Three-Rollers",
+    section 3.
     """
+    if not 0 <= radians(elevation_deg) < friction.STICKS_BELOW:
+        raise ValueError(f"expected an elevation from 0 to 35.26 degrees, got {elevation_deg}")
     # The inputs sin(phi + 240), sin(phi + 120), sin(phi) are those of this velocity (m/s).
     phase = radians(phase_deg)
     point = {
@@ -85,11 +88,13 @@ def three_rollers(elevation_deg: float, phase_deg: float) -> SetUp:
 def two_rollers(tilt_deg: float, heavier: float = 1.0) -> SetUp:
     """Symmetric arrangement of the two-roller paper, driven so that the sphere travels at 1 m/s.
 
-    Roller 1 has the angle `tilt_deg` and `heavier` (at least 1) times the load of roller 2; both
-    have one speed, which is travel towards 90 degrees. Source: Kimura, Ogata, Ishii, "Novel
-    Mathematical Modeling and Motion Analysis of a Sphere Considering Slipping", Eqs. (5), (6) and
-    section 3.
+    Roller 1 has the angle `tilt_deg` and `heavier` times the load of roller 2; both have one speed,
+    which is travel towards 90 degrees. Raises `ValueError` for `heavier` below 1. Source: Kimura,
+    Ogata, Ishii, "Novel Mathematical Modeling and Motion Analysis of a Sphere Considering
+    Slipping", Eqs. (5), (6) and section 3.
     """
+    if heavier < 1:
+        raise ValueError(f"expected roller 1 to bear the greater load, got {heavier} of roller 2's")
     contacts = [sphere.contact_direction(*map(radians, place)) for place in TWO_CONTACTS]
     normal = contacts[0].cross(contacts[1]).normalized()
     axes = [
@@ -118,11 +123,10 @@ def _ends(rollers: Sequence[Roller]) -> list[np.ndarray]:
 
 
 def set_up(parameters: Parameters) -> SetUp:
-    """Set-up of a case, by its parameters."""
-    angle = float(parameters["angle_deg"])
-    if parameters["rollers"] == 3:
-        return three_rollers(float(parameters["elevation_deg"]), angle)
-    return two_rollers(angle, float(parameters["heavier"]))
+    """Set-up of a case by its parameters; `ValueError` for one that theory says nothing about."""
+    if "elevation_deg" in parameters:
+        return three_rollers(float(parameters["elevation_deg"]), float(parameters["phase_deg"]))
+    return two_rollers(float(parameters["tilt_deg"]), float(parameters["heavier"]))
 
 
 def _columns(rollers: Sequence[Roller]) -> tuple[list[MatrixBase], list[MatrixBase], list[float]]:
