@@ -14,11 +14,12 @@ from omniproof.simulation.omni_model import Robot, mjcf, robot_from
 from omniproof.simulation.omni_wheel import Wheel
 
 MODEL = omni_robot.MODEL
+PRINTED = [case.name for case in MODEL.cases[:12]]
 RADIUS, BODY = 0.023, 0.108
 
 
 def case(rates_rpm, *, start="flying", duration=0.5, name="try", **changed):
-    given = {"start": start, "rates_rpm": rates_rpm, "duration": duration}
+    given = {"start": start, "rates_rpm": rates_rpm, "duration": duration, "step": 5e-4}
     return Case("omni-robot", name, {**Robot().parameters, **given, **changed})
 
 
@@ -87,10 +88,18 @@ def test_cases_are_the_lines_of_both_tables_twice():
     printed = {"32.9 1.84 32.9", "-12.2 -43.3 -12.2", "-10.3 -10.4 20.8"}
     printed |= {"0 -17.9 17.9", "10.3 -20.8 10.4", "17.9 -17.9 0"}
     for start in ("flying", "standing"):
-        chosen = [x for x in MODEL.cases if x.parameters["start"] == start]
+        chosen = [MODEL.case(name) for name in PRINTED if name.endswith(start)]
+        assert {x.parameters["start"] for x in chosen} == {start}
         assert {x.parameters["rates_rpm"] for x in chosen} == printed
-        assert all(x.name.endswith(start) for x in chosen)
-    assert len(MODEL.cases) == 12
+
+
+def test_a_variation_changes_one_parameter():
+    for variation in MODEL.cases[12:]:
+        start = str(variation.parameters["start"])
+        known = MODEL.case(f"circle-clockwise-{start}").parameters
+        assert variation.name.startswith(f"circle-clockwise-{start}-")
+        differ = [key for key, value in known.items() if variation.parameters[key] != value]
+        assert len(differ) == 1
 
 
 @cache
@@ -107,17 +116,19 @@ def numbers(root, monkeypatch):
     return numbers_of
 
 
-@pytest.mark.parametrize("name", [x.name for x in MODEL.cases])
+@pytest.mark.parametrize("name", PRINTED)
 def test_theory_holds(numbers, name):
-    """Flying: better than 1/100, the last digit the paper prints. Standing: its own error, 0.03."""
+    """Lengths: better than 1/100, the last digit of the paper's errors. Eq. (17): flying likewise;
+    standing, not above the largest error that it prints, 0.03, which stands for less than 0.035.
+    """
     flying = name.endswith("flying")
     assert numbers(name)["length_error"] < 0.01
-    assert numbers(name)["mean_error"] < (0.01 if flying else 0.03)
+    assert numbers(name)["mean_error"] < (0.01 if flying else 0.035)
     assert numbers(name)["direction_error"] < 1
     assert numbers(name)["turn"] == pytest.approx(numbers(name)["turn_theory"], abs=1)
 
 
-@pytest.mark.parametrize("name", [x.name for x in MODEL.cases if x.name.endswith("flying")])
+@pytest.mark.parametrize("name", [name for name in PRINTED if name.endswith("flying")])
 def test_printed_formulas_are_off_by_what_their_misprints_make(numbers, name):
     """A lost 1/3: 2/3. A lost L: 1 - 0.108. A ratio upside down: 90 degrees less twice psi."""
     seen = numbers(name)
