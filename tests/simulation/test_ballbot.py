@@ -1,6 +1,6 @@
 """Which law the simulated ball obeys, and that the comparison could have come out otherwise."""
 
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cache
 from math import cos, pi, radians, sin, sqrt
 
@@ -18,6 +18,7 @@ from omniproof.simulation.ballbot import (
     motion_matrix,
     printed_law,
     relative_error,
+    robot_of,
     rolling_law,
     simulate,
     summarise,
@@ -184,6 +185,21 @@ def test_wheels_that_run_away_are_reported_with_their_parameters():
     wild = replace(case, parameters={**case.parameters, "speed_2": 60})
     with pytest.raises(ImplausibleRunError, match="speed_2=60,"):
         simulate(wild)
+
+
+def test_a_side_that_a_ball_has_not_is_refused():
+    case = case_of("on-top", 45, "along-x")
+    aside = replace(case, parameters={**case.parameters, "side": "aside"})
+    with pytest.raises(ValueError, match="expected side inside or on-top, found 'aside'"):
+        simulate(aside)
+
+
+def test_a_case_says_all_that_its_run_depends_on():
+    """Else a run that failed could not be seen again from its message."""
+    parameters = case_of("on-top", 45, "mixed", facets=99).parameters
+    numbers = {field.name: parameters[field.name] for field in fields(Ballbot)[1:]}
+    assert robot_of(case_of("on-top", 45, "mixed", facets=99)) == Ballbot(False, **numbers)
+    assert numbers["facets"] == 99
 
 
 def test_the_cases_cover_both_sides_three_angles_and_all_inputs():

@@ -10,10 +10,11 @@ asks. What is left between the laws is the factor cos(phi).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import fields
 from functools import cache, partial
 from math import radians, sin, tan
 from types import MappingProxyType
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import mujoco
 import numpy as np
@@ -39,9 +40,6 @@ INPUTS: Mapping[str, Speeds] = {
     "mixed": (0.03, 0.01, -0.02),
 }
 """Speeds of the wheels (m/s), numbered as in Yi: platform over surface, counter-clockwise."""
-
-NUMBERS = ("zenith_angle_deg", "floor_torsion", "friction", "contact_time", "step")
-"""Parameters of a case that the robot takes as they are."""
 
 FIRM_GRIP = 0.1
 """Torsional friction (m) that lets the ball not spin on the floor."""
@@ -196,11 +194,12 @@ def relative_error(measured: Floats, said: Floats) -> float:
 
 
 def robot_of(case: Case) -> Ballbot:
-    """The robot that a case's parameters describe."""
-    given = case.parameters
-    numbers = {name: float(given[name]) for name in NUMBERS if name in given}
-    facets = int(given.get("facets", Ballbot.facets))
-    return Ballbot(inside=given["side"] == "inside", facets=facets, **numbers)
+    """The robot that a case's parameters describe; `ValueError` for a side that it has not."""
+    given: dict[str, Any] = dict(case.parameters)
+    if given["side"] not in SIDES:
+        raise ValueError(f"expected side {' or '.join(SIDES)}, found {given['side']!r}")
+    numbers = {field.name: given[field.name] for field in fields(Ballbot) if field.name in given}
+    return Ballbot(inside=given["side"] == SIDES[0], **numbers)
 
 
 def speeds_of(case: Case) -> Speeds:
@@ -210,11 +209,12 @@ def speeds_of(case: Case) -> Speeds:
 
 
 def case_of(side: str, angle_deg: float, input_name: str, **more: float) -> Case:
-    """Name a case: `inside-45-along-x`, with the words of further parameters behind."""
+    """Name a case: `inside-45-along-x`, with the words of unusual parameters behind."""
+    name = "-".join([side, f"{angle_deg:g}", input_name, *(one.replace("_", "-") for one in more)])
     speeds = {f"speed_{k}": speed for k, speed in enumerate(INPUTS[input_name], start=1)}
-    words = [name.replace("_", "-") for name in more]
-    name = "-".join([side, str(angle_deg), input_name, *words])
-    return Case("ballbot", name, {"side": side, "zenith_angle_deg": angle_deg, **speeds, **more})
+    usual = {field.name: field.default for field in fields(Ballbot)[2:]}
+    angle = {"zenith_angle_deg": float(angle_deg)}
+    return Case("ballbot", name, {"side": side, **angle, **speeds, **usual, **more})
 
 
 def _cases() -> Iterable[Case]:

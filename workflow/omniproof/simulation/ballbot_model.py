@@ -52,7 +52,8 @@ class Ballbot:
     the lowest point for a platform `inside`, the highest one for a platform on top. `facets` is how
     many boxes make the inner surface; `floor_torsion` (m) is the floor's friction against the
     ball's spin about the vertical, as a lever of the load: 0 for contact in a point. `friction` is
-    Coulomb's, `contact_time` (s) says how soft contacts are, `step` (s) is that of the run.
+    Coulomb's, `contact_time` (s) says how soft contacts are, `step` (s) is that of the run. Raises
+    `ValueError` for an angle from 90 degrees on, at which the wheels do not move the ball.
     """
 
     inside: bool
@@ -62,6 +63,11 @@ class Ballbot:
     friction: float = 0.8
     contact_time: float = 0.003
     step: float = 0.001
+
+    def __post_init__(self) -> None:
+        angle = self.zenith_angle_deg
+        if not 0 < angle < 90:
+            raise ValueError(f"expected a zenith angle between 0 and 90 degrees, got {angle:g}")
 
     @property
     def zenith_angle(self) -> float:
