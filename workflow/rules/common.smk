@@ -47,6 +47,18 @@ def paper_data(paper):
     return sorted(map(str, Path("paper_data", paper).iterdir()))
 
 
+def data_behind(*modules):
+    """Return the files that say what the papers print that modules of the package rest on."""
+    folders = (Path(file).parts for file in package(*modules))
+    used = {parts[3] for parts in folders if parts[2] == "papers" and len(parts) > 4}
+    return [
+        file
+        for paper in settings.papers
+        if module_name(paper) in used
+        for file in paper_data(paper)
+    ]
+
+
 def theorems_of(*papers):
     """Return the source files of the theorems of papers and topics; a paper may have none."""
     folders = {paper: Path("workflow/omniproof/papers", module_name(paper)) for paper in papers}
