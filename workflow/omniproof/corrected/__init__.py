@@ -10,14 +10,14 @@ which that claim was judged. Formulas that are right as printed have none.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from omniproof.corrected import ballbot, omni_arrangement, omni_trajectory, two_roller_sphere
-from omniproof.corrected.formula import Array
+from omniproof.corrected.formula import Functions
 
 __all__ = ["FUNCTIONS", "ballbot", "omni_arrangement", "omni_trajectory", "two_roller_sphere"]
 
-FUNCTIONS: Mapping[str, Mapping[str, Callable[..., Array]]] = {
+FUNCTIONS: Mapping[str, Functions] = {
     "omni-arrangement": omni_arrangement.FUNCTIONS,
     "omni-trajectory": omni_trajectory.FUNCTIONS,
     "ballbot": ballbot.FUNCTIONS,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from omniproof.corrected.formula import Array, Formula
+from omniproof.corrected.formula import Array, Formula, Functions
 
 
 def body_from_wheel_1(phi: ArrayLike, L: ArrayLike) -> Array:
@@ -62,7 +62,7 @@ _WHEEL_3 = Formula(_PAPER, "eq:9")
 _MATRIX = Formula(_PAPER, "eq:10")
 _INVERSE = Formula(_PAPER, "eq:10/inverse")
 
-FUNCTIONS = {
+FUNCTIONS: Functions = {
     "eq:5-1": body_from_wheel_1,
     "eq:5-2": body_from_wheel_2,
     "eq:7": wheel_1_speed,
@@ -71,4 +71,3 @@ FUNCTIONS = {
     "eq:10": wheel_matrix,
     "eq:10/inverse": body_matrix,
 }
-"""Claim -> the function that says what it ought to say."""

@@ -6,7 +6,7 @@ are turned into code, which are ours; what a paper prints never is.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeAlias
@@ -18,6 +18,9 @@ from sympy import Expr, MatrixBase, Symbol, lambdify, sstr
 from omniproof.registry import Modelled, Registry, load_registry
 
 Array: TypeAlias = NDArray[np.float64]
+
+Functions: TypeAlias = Mapping[str, Callable[..., Array]]
+"""Claim of a paper -> the function that says what it ought to say."""
 
 
 def derived_form(registry: Registry, claim_id: str, convention: str = "") -> Any:

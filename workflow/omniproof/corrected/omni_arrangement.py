@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from omniproof.corrected.formula import Array, Formula
+from omniproof.corrected.formula import Array, Formula, Functions
 
 
 def inverse_times_determinant(alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike) -> Array:
@@ -50,11 +50,10 @@ _ISOSCELES = Formula(_PAPER, "eq:12")
 _HEIGHT = Formula(_PAPER, "eq:B.2")
 _PARALLELEPIPED = Formula(_PAPER, "eq:B.3#2/volume")
 
-FUNCTIONS = {
+FUNCTIONS: Functions = {
     "eq:6": inverse_times_determinant,
     "eq:11": image_volume,
     "eq:12": image_volume_isosceles,
     "eq:B.2": height,
     "eq:B.3#2/volume": volume,
 }
-"""Claim -> the function that says what it ought to say."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from omniproof.corrected.formula import Array, Formula
+from omniproof.corrected.formula import Array, Formula, Functions
 from omniproof.corrected.sampled import sampled_integral
 
 
@@ -58,7 +58,7 @@ _INITIAL = Formula(_PAPER, "eq:14/speeds")
 _FACTOR = Formula(_PAPER, "eq:16/factor")
 _VECTOR = Formula(_PAPER, "eq:16/line-1")
 
-FUNCTIONS = {
+FUNCTIONS: Functions = {
     "eq:8": path_x,
     "eq:9": path_y,
     "eq:13": circle_radius,
@@ -67,4 +67,3 @@ FUNCTIONS = {
     "eq:16/factor": centre_factor,
     "eq:16/line-1": centre_vector,
 }
-"""Claim -> the function that says what it ought to say."""

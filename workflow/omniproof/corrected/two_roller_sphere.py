@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from omniproof.corrected.formula import Array, Formula
+from omniproof.corrected.formula import Array, Formula, Functions
 
 
 def spin_about_roller_axis(nu: ArrayLike, r: ArrayLike) -> Array:
@@ -20,5 +20,4 @@ def spin_about_roller_axis(nu: ArrayLike, r: ArrayLike) -> Array:
 
 _SPIN = Formula("two-roller-sphere", "sec:2.1/sum")
 
-FUNCTIONS = {"sec:2.1/sum": spin_about_roller_axis}
-"""Claim -> the function that says what it ought to say."""
+FUNCTIONS: Functions = {"sec:2.1/sum": spin_about_roller_axis}
