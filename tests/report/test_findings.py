@@ -34,7 +34,7 @@ def test_findings_are_the_faults_with_every_column(ledger: Ledger) -> None:
 
 
 def test_order_of_consequence() -> None:
-    """Reach first, then what follows, then gravity, then place."""
+    """Reach first, false before conditional, then what follows, then gravity, then place."""
     rows = [
         fault(id="eq:1", consequence=Consequence.NUMBER),
         fault(id="eq:2", verdict=Verdict.CONDITIONAL),
@@ -50,6 +50,19 @@ def test_order_of_consequence() -> None:
     found = [row.id for row in consequential([ledger], 10)]
     assert found == ["eq:8", "eq:4", "eq:3", "eq:2", "eq:1"]
     assert [row.id for row in consequential([ledger], 2)] == found[:2]
+
+
+def test_papers_take_turns() -> None:
+    """A paper with many faults does not hide those of another; reach still comes first."""
+    many = [fault(id=f"eq:{k}") for k in (1, 2, 3)]
+    few = [
+        fault(paper="q", id="eq:1", verdict=Verdict.CONDITIONAL),
+        fault(paper="q", id="eq:2"),
+        fault(paper="q", id="eq:3", consequence=Consequence.NUMBER),
+    ]
+    ledgers = [Ledger(paper=rows[0].paper, claims=3, rows=tuple(rows)) for rows in (many, few)]
+    found = [f"{row.paper}/{row.id}" for row in consequential(ledgers, 10)]
+    assert found == ["p/eq:1", "q/eq:2", "p/eq:2", "p/eq:3", "q/eq:1", "q/eq:3"]
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, Row, Verdict, read_json
 from omniproof.report.anchors import anchor, base, selects
+from omniproof.report.derived import Derived
 from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.base import Fragment, link, results_folder, table
 from omniproof.report.fragments.claims import group_html, groups
@@ -31,6 +32,7 @@ class Chapter:
         self.results = results
         self._rows = {row.id: row for row in ledger.rows}
         self._addresses = Addresses(ledger)
+        self._derived = Derived(ledger)
         self._shown: set[str] = set()
 
     @classmethod
@@ -102,7 +104,7 @@ class Chapter:
 
     def counts(self) -> Fragment:
         """Show the verdicts of this paper as a bar and a table."""
-        return Fragment(accounting_html([self.ledger]), "counts")
+        return Fragment(accounting_html(self.ledger), "counts")
 
     def value(self, claim_id: str, column: str = "printed") -> Value:
         """Return one cell of the ledger for running text (see `in_text`)."""
@@ -115,7 +117,12 @@ class Chapter:
 
     def _cards(self, rows: Iterable[Row], name: str) -> Fragment:
         cards = (
-            group_html(group, self.href, addressed=self._addresses.take(anchor(group.base)))
+            group_html(
+                group,
+                self.href,
+                addressed=self._addresses.take(anchor(group.base)),
+                derived=self._derived,
+            )
             for group in groups(rows)
         )
         return Fragment(f'<div class="claims">{"".join(cards)}</div>', f"claims {name}")
