@@ -62,7 +62,7 @@ def test_claims_that_a_note_names_become_links(
     rows = (*ledger.rows[:-1], row)
     chapter = Chapter(ledger.model_copy(update={"rows": rows}), [], results)
     found = outline(chapter.claims("sec:2").html)
-    assert found.links == ["#eq-1", "#eq-5-1-2", "#eq-6", "#sec-2-curvic"]
+    assert found.links == ["#eq-1", "#eq-5-1-2", "#eq-6", "#sec-2-curvic", "ledger.csv"]
     assert (
         "Wheel matrix. Differs from Eq. (1), Eq. (5), row 1, column 2 and Table 9, none."
         in found.text

@@ -17,6 +17,7 @@ from omniproof.report.fragments.base import Fragment, link, results_folder, tabl
 from omniproof.report.fragments.claims import group_html, groups
 from omniproof.report.fragments.counts import accounting_html
 from omniproof.report.fragments.figures import drawn_html
+from omniproof.report.fragments.survival import survives_html
 from omniproof.report.fragments.tables import Labels, beside_html, grid_html, list_html
 from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_html
 from omniproof.report.fragments.values import Value
@@ -105,6 +106,10 @@ class Chapter:
     def counts(self) -> Fragment:
         """Show the verdicts of this paper as a bar and a table."""
         return Fragment(accounting_html(self.ledger), "counts")
+
+    def survives(self) -> Fragment:
+        """Show which conclusions stand, which fall with which fault, and what to use instead."""
+        return Fragment(survives_html(self.ledger, self.href, self._derived), "what survives")
 
     def value(self, claim_id: str, column: str = "printed") -> Value:
         """Return one cell of the ledger for running text (see `in_text`)."""
