@@ -13,7 +13,7 @@ from omniproof.report.changes import changes
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.base import Href, badge, link, table, worst
 from omniproof.report.fragments.claims import Group, matrix_of
-from omniproof.report.latexfmt import cell, math
+from omniproof.report.latexfmt import cell, formula
 from omniproof.report.survival import (
     JUDGED,
     Fate,
@@ -118,26 +118,29 @@ def _formulas(ledger: Ledger, href: Href, derived: Derived) -> str:
     functions = FUNCTIONS.get(ledger.paper, {})
     module = f"omniproof.corrected.{ledger.paper.replace('-', '_')}"
     usage = f"<p>Functions are to be imported from <code>{module}</code>.</p>" if functions else ""
-    lines = (_formula(group, functions.get(group.base), href, derived) for group in groups)
-    return head + usage + table(["place", "read", "to calculate with"], lines, "instead")
+    items = (_formula(group, functions.get(group.base), href, derived) for group in groups)
+    return f'{head}{usage}<ul class="instead">{"".join(items)}</ul>'
 
 
 def _formula(group: Group, function: object, href: Href, derived: Derived) -> str:
     latex = corrected_latex(group)
-    shown = math(corrected_latex(group, marked=True)) if latex else "see its entries"
     text = derived.sympy(group.base if group.is_matrix else group.rows[0].id)
+    place = link(group.base, href)
+    if any(row.source is not Source.CLEAR for row in group.rows):
+        place += ' <span class="quiet">(look at the PDF first)</span>'
+    shown = formula(corrected_latex(group, marked=True)) if latex else "see its entries"
+    called = f"<code>{escape(_signature(function))}</code>" if callable(function) else ""
     sympy = (
         f"<details><summary>SymPy</summary><code>{escape(text)}</code></details>" if text else ""
     )
-    called = f"<code>{escape(_signature(function))}</code>" if callable(function) else ""
-    copied = f' data-latex="{escape(latex)}"' if latex else ""
-    copied += f' data-sympy="{escape(text)}"' if text else ""
-    place = link(group.base, href)
-    if any(row.source is not Source.CLEAR for row in group.rows):
-        place += '<br><span class="quiet">look at the PDF first</span>'
+    copied = "".join(
+        f' data-{name}="{escape(value)}"'
+        for name, value in (("latex", latex), ("sympy", text))
+        if value
+    )
     return (
-        f'<tr class="v-{worst(group.rows)}"><th scope="row">{place}</th><td>{shown}</td>'
-        f'<td class="copyable" data-name="{escape(group.base)}"{copied}>{called}{sympy}</td></tr>'
+        f'<li class="v-{worst(group.rows)} copyable" data-name="{escape(group.base)}"{copied}>'
+        f'<div class="place">{place} {called}</div><div class="formula">{shown}</div>{sympy}</li>'
     )
 
 
