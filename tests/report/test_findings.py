@@ -3,12 +3,21 @@ from __future__ import annotations
 import csv
 import io
 import json
+from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import pytest
+from jsonschema import Draft202012Validator
 
-from omniproof.audit.ledger import COLUMNS, Consequence, Ledger, Row, Verdict
-from omniproof.report.findings import consequential, findings_csv, findings_json, sentence
+from omniproof.audit.ledger import COLUMNS, Consequence, Ledger, Row, Verdict, read_json
+from omniproof.report.findings import (
+    consequential,
+    findings_csv,
+    findings_json,
+    findings_schema,
+    sentence,
+)
 
 FAULT = {"paper": "p", "kind": "identity", "verdict": "erratum", "where": "Eq. (1)"}
 
@@ -103,3 +112,18 @@ def test_papers_take_turns() -> None:
 )
 def test_sentence(fields: dict[str, str], short: bool, expected: str) -> None:
     assert sentence(fault(**fields), short=short) == expected
+
+
+def test_the_schema_of_findings_in_the_repository_is_that_of_the_model() -> None:
+    stored = files("omniproof.report").joinpath("findings.schema.json").read_text(encoding="utf-8")
+    assert stored == findings_schema(), "write `findings_schema()` to findings.schema.json"
+
+
+def test_findings_are_valid_by_their_schema_and_others_are_not(results: Path) -> None:
+    validator = Draft202012Validator(json.loads(findings_schema()))
+    ledger = read_json(results / "ledger" / "omni-arrangement.json")
+    found = json.loads(findings_json([ledger]))
+    assert found
+    assert list(validator.iter_errors(found)) == []
+    for wrong in ({"verdict": "wrong"}, {"printed": 4.61}, {"time": "now"}):
+        assert list(validator.iter_errors([found[0] | wrong]))

@@ -7,7 +7,16 @@ import pytest
 
 from omniproof.sources import sources
 
-RULE_FILES = ["audit.smk", "mutation.smk", "tables.smk", "figures.smk", "notebooks.smk", "book.smk"]
+RULE_FILES = [
+    "audit.smk",
+    "mutation.smk",
+    "tables.smk",
+    "figures.smk",
+    "notebooks.smk",
+    "corrigenda.smk",
+    "book.smk",
+    "crate.smk",
+]
 ORDER = [
     "name",
     "default_target",

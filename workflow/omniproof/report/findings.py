@@ -6,6 +6,8 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from pydantic import TypeAdapter
+
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, to_csv
 from omniproof.report.latexfmt import is_latex
 from omniproof.report.shorten import differing
@@ -109,3 +111,9 @@ def findings_json(ledgers: Sequence[Ledger]) -> str:
     """Return every finding of all papers as a JSON array of ledger rows."""
     rows = [row.model_dump(mode="json") for ledger in ledgers for row in findings(ledger)]
     return json.dumps(rows, ensure_ascii=False, indent=1) + "\n"
+
+
+def findings_schema() -> str:
+    """Return the JSON Schema of `findings.json`, as it stands in the repository."""
+    schema = TypeAdapter(tuple[Row, ...]).json_schema()
+    return json.dumps({"title": "Findings"} | schema, indent=2, sort_keys=True) + "\n"
