@@ -19,7 +19,9 @@ include: "workflow/rules/simulation.smk"
 include: "workflow/rules/tables.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/notebooks.smk"
+include: "workflow/rules/corrigenda.smk"
 include: "workflow/rules/book.smk"
+include: "workflow/rules/crate.smk"
 
 
 rule all:
@@ -33,7 +35,9 @@ rule all:
         tables=expand("{table}", table=tables_of(*settings.papers)),
         figures=figures_of(*settings.told),
         chapters=expand("results/notebooks/{chapter}.ipynb", chapter=settings.chapters),
+        corrigenda=corrigenda_of(*settings.papers),
         book="book/_build/html/index.html",
+        crate="book/_build/html/ro-crate-metadata.json",
         validation="results/validation.txt",
         summary="results/summary.txt",
 

@@ -14,7 +14,7 @@ from omniproof.report.fragments import Chapter, Overview, in_text, values
 from omniproof.report.fragments.base import results_folder
 from omniproof.report.fragments.claims import row_html, witness_html
 from omniproof.report.fragments.figures import About, figure_html
-from omniproof.report.fragments.overview import edition_html
+from omniproof.report.fragments.overview import paper_html
 from omniproof.report.fragments.theorems import markdown
 from omniproof.transcription.model import Edition, Kind
 
@@ -62,7 +62,7 @@ def test_claims_that_a_note_names_become_links(
     rows = (*ledger.rows[:-1], row)
     chapter = Chapter(ledger.model_copy(update={"rows": rows}), [], results)
     found = outline(chapter.claims("sec:2").html)
-    assert found.links == ["#eq-1", "#eq-5-1-2", "#eq-6", "#sec-2-curvic"]
+    assert found.links == ["#eq-1", "#eq-5-1-2", "#eq-6", "#sec-2-curvic", "ledger.csv"]
     assert (
         "Wheel matrix. Differs from Eq. (1), Eq. (5), row 1, column 2 and Table 9, none."
         in found.text
@@ -224,11 +224,11 @@ def test_witness(outline: type, witness: str, expected: str) -> None:
         pytest.param(None, "Journal 1(2), 3.", id="a text that does not say its year"),
     ],
 )
-def test_editions_name_the_text_that_was_read(
-    year: int | None, printed: str, outline: type
+def test_a_paper_is_named_with_edition_counts_and_verdicts(
+    year: int | None, printed: str, ledger: Ledger, outline: type
 ) -> None:
-    html = edition_html(
-        "p",
+    html = paper_html(
+        ledger.model_copy(update={"paper": "p"}),
         Edition(
             title="On <wheels>",
             authors=("A. One", "B. Two"),
@@ -238,9 +238,8 @@ def test_editions_name_the_text_that_was_read(
             sha256="0123456789abcdef" * 4,
         ),
     )
-    assert outline(html).text == (
-        f"On <wheels>A. One, B. Two. {printed}Text recognition p.txt, SHA-256 0123456789abcdef…"
-    )
+    text = outline(html).text
+    assert text.startswith(f"On <wheels>A. One, B. Two. {printed} 11 claims, 16 rows.✓ 7")
     assert outline(html).links == ["p.html"]
 
 

@@ -14,7 +14,9 @@ RULE_FILES = [
     "tables.smk",
     "figures.smk",
     "notebooks.smk",
+    "corrigenda.smk",
     "book.smk",
+    "crate.smk",
 ]
 ORDER = [
     "name",

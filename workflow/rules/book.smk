@@ -10,6 +10,8 @@ REQUIRED INPUTS:
     tables   = results/tables/{paper}/table-{number}.csv
     figures  = results/figures/{paper}/figure-{number}.svg
     data     = results/figures/{paper}/figure-{number}.csv
+    corrigenda = results/corrigenda/{paper}.pdf
+    crate    = book/_build/html/ro-crate-metadata.json
 
 OUTPUTS:
     index      = book/_build/html/index.html
@@ -29,6 +31,7 @@ rule book:
         tables=tables_of(*settings.papers),
         figures=figures_of(*settings.told),
         data=figures_of(*settings.told, suffix="csv"),
+        corrigenda=corrigenda_of(*settings.papers),
         package=package("report.book"),
     output:
         # A build that fails leaves the earlier report as it was.
@@ -45,6 +48,7 @@ rule validate:
     """Check the report: anchors, figures, references"""
     input:
         index="book/_build/html/index.html",
+        crate="book/_build/html/ro-crate-metadata.json",
         ledgers=ledgers_of(*settings.papers),
         figures=figures_of(*settings.told),
         package=package("report.validate"),

@@ -6,6 +6,7 @@ import os
 import re
 from pathlib import Path
 
+from omniproof.report.revision import read_revision
 from omniproof.settings import module_name, read_settings
 from omniproof.sources import sources
 from omniproof.transcription.faults import BadInput
@@ -97,6 +98,11 @@ def figures_of(*papers, suffix="svg"):
 def abouts_of(*papers):
     """Return what is said of the figures of papers and topics: titles, captions, alt texts."""
     return [f"results/figures/{paper}/figures.json" for paper in papers]
+
+
+def corrigenda_of(*papers):
+    """Return what can be sent to the authors of papers."""
+    return [f"results/corrigenda/{paper}.pdf" for paper in papers]
 
 
 def papers_of(chapter):

@@ -16,10 +16,10 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, read_json, schema
-from omniproof.report.findings import findings_csv, findings_json
+from omniproof.report.findings import findings_csv, findings_json, findings_schema
 from omniproof.report.theme import stylesheet
 
-DATA = ("ledger.csv", "theorems.json", "tables", "figures", "simulation")
+DATA = ("ledger.csv", "theorems.json", "tables", "figures", "simulation", "corrigenda")
 """What the site offers for download, as it lies in the folder of results."""
 
 
@@ -67,6 +67,7 @@ def _stage_data(results: Path, extra: Path) -> None:
     texts = {
         "findings.csv": findings_csv(ledgers),
         "findings.json": findings_json(ledgers),
+        "findings.schema.json": findings_schema(),
         "ledger.schema.json": schema(),
     }
     for name, text in texts.items():

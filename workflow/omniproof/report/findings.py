@@ -6,8 +6,11 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from pydantic import TypeAdapter
+
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, to_csv
 from omniproof.report.latexfmt import is_latex
+from omniproof.report.shorten import differing
 from omniproof.transcription.model import Kind, Source, Uncheckable
 
 GRAVITY = (
@@ -32,28 +35,35 @@ def findings(ledger: Ledger) -> tuple[Row, ...]:
 
 
 def consequential(ledgers: Iterable[Ledger], limit: int) -> tuple[Row, ...]:
-    """Return the findings that matter most: by how far they reach, by what follows, by gravity.
+    """Return the findings that matter most: by how far they reach, and what is false first.
 
-    What is equal in all three keeps the order of place. Left out: what follows from another
-    finding, what a fault of text recognition would explain, and what changes the text only.
+    Of these the papers take turns, each with its own ranked by what follows from them, by gravity
+    and by place: one paper with many faults does not hide those of another. Left out: what follows
+    from another finding, what a fault of text recognition would explain, and what changes the text
+    only.
     """
-    kept = tuple(ledgers)
-    rows = [
+    ranked: list[tuple[tuple[int, bool, int], Row]] = []
+    for ledger in ledgers:
+        turns: Counter[tuple[int, bool]] = Counter()
+        for row in _ranked(ledger):
+            group = REACH.index(row.consequence), row.verdict is Verdict.CONDITIONAL
+            ranked.append(((*group, turns[group]), row))
+            turns[group] += 1
+    return tuple(row for _, row in sorted(ranked, key=lambda pair: pair[0])[:limit])
+
+
+def _ranked(ledger: Ledger) -> list[Row]:
+    """Return the findings of a paper that reach beyond the text: by followers, gravity, place."""
+    followers = Counter(row.follows for row in ledger.rows)
+    rows = (
         row
-        for ledger in kept
         for row in findings(ledger)
         if not row.follows
         and row.source is Source.CLEAR
         and row.verdict is not Verdict.EDITORIAL
         and row.consequence in {Consequence.MOTION, Consequence.NUMBER}
-    ]
-    followers = Counter((row.paper, row.follows) for ledger in kept for row in ledger.rows)
-
-    def rank(row: Row) -> tuple[int, int, int]:
-        reach, gravity = REACH.index(row.consequence), GRAVITY.index(row.verdict)
-        return reach, -followers[row.paper, row.id], gravity
-
-    return tuple(sorted(rows, key=rank)[:limit])
+    )
+    return sorted(rows, key=lambda row: (-followers[row.id], GRAVITY.index(row.verdict)))
 
 
 def sentence(row: Row, *, short: bool = False) -> str:
@@ -72,11 +82,14 @@ def sentence(row: Row, *, short: bool = False) -> str:
 
 
 def _corrected(row: Row, printed: str, *, words: bool, short: bool) -> str:
+    correct = _quoted(row.correction)
+    if not words and is_latex(row.correction):
+        printed, correct = map(_quoted, differing(row.printed, row.correction))
     left, sign, right = row.correction.partition("=")
     if short and sign and row.printed.startswith(left + sign):
         return f"{_quoted(row.printed.removeprefix(left + sign))} should read {_quoted(right)}"
     link = ": in fact" if words and row.kind is Kind.RELATION and printed else " should read"
-    return f"{printed}{link} {_quoted(row.correction)}".strip()
+    return f"{printed}{link} {correct}".strip()
 
 
 def _quoted(text: str) -> str:
@@ -98,3 +111,9 @@ def findings_json(ledgers: Sequence[Ledger]) -> str:
     """Return every finding of all papers as a JSON array of ledger rows."""
     rows = [row.model_dump(mode="json") for ledger in ledgers for row in findings(ledger)]
     return json.dumps(rows, ensure_ascii=False, indent=1) + "\n"
+
+
+def findings_schema() -> str:
+    """Return the JSON Schema of `findings.json`, as it stands in the repository."""
+    schema = TypeAdapter(tuple[Row, ...]).json_schema()
+    return json.dumps({"title": "Findings"} | schema, indent=2, sort_keys=True) + "\n"

@@ -22,9 +22,9 @@ _FORBIDDEN = re.compile(
     r"|unicode|bbox|includegraphics|[()\[\]])(?![A-Za-z])|(?<!\\)[%#$]"
 )
 _ENVIRONMENT = re.compile(r"\\(begin|end)\s*\{([A-Za-z]+\*?)\}")
-_TAG = re.compile(r"\\tag\*?\s*\{[^{}]*\}|\\label\s*\{[^{}]*\}")
-_CLAIM = r"\b(?:eq|tab|fig|sec|app|xref):[A-Za-z0-9](?:[\w./#-]*\w)?(?:\[[\w,]+\])?"
-_PIECE = re.compile(rf"\$([^$]+)\$|`([^`]+)`|({_CLAIM})")
+TAG = re.compile(r"\\tag\*?\s*\{[^{}]*\}|\\label\s*\{[^{}]*\}")
+CLAIM = re.compile(r"\b(?:eq|tab|fig|sec|app|xref):[A-Za-z0-9](?:[\w./#-]*\w)?(?:\[[\w,]+\])?")
+PIECE = re.compile(rf"\$([^$]+)\$|`([^`]+)`|({CLAIM.pattern})")
 _WORDS = re.compile(r"\\text\{([^{}]*[A-Za-z]{2,} [^{}]*)\}")
 
 
@@ -33,7 +33,7 @@ def is_latex(text: str) -> bool:
     if "$" in text or not text.strip():
         return False
     bare = _COMMAND.sub(" ", _TEXT.sub(" ", text))
-    words = re.findall(r"[A-Za-z]{3,}", bare)
+    words = re.findall(r"[A-Za-z]{3,}|[A-Z][a-z]+\. ", bare)
     marked = "\\" in text or re.search(r"[\^_{}=<>|+*/()-]|\d", text) is not None
     return not words and (marked or len(text.split()) == 1)
 
@@ -66,7 +66,7 @@ def math(latex: str, *, display: bool = False) -> str:
 
     `display`: the large style, in a box of its own that scrolls when it is too wide.
     """
-    body = _TAG.sub("", latex).strip()
+    body = TAG.sub("", latex).strip()
     if not is_settable(body):
         return f"<code>{escape(latex)}</code>"
     outside = re.sub(r"\\begin\{(\w+\*?)\}.*\\end\{\1\}", "", body, flags=re.DOTALL)
@@ -84,7 +84,7 @@ def inline(text: str, refer: Callable[[str], str] = escape) -> str:
     """
     parts: list[str] = []
     end = 0
-    for piece in _PIECE.finditer(text):
+    for piece in PIECE.finditer(text):
         latex, code, claim = piece.groups()
         parts.append(escape(text[end : piece.start()]))
         if claim:

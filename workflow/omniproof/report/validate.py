@@ -118,8 +118,8 @@ class Page(HTMLParser):
 def validate_book(html: Path, ledgers: Sequence[Ledger], figures: Iterable[Path] = ()) -> None:
     """Check the report in the folder `html`.
 
-    figures: drawings (`…/<paper>/figure-N.svg`) that the chapters have to show; those on a page
-    are checked anyway. Raises `InvalidBookError` with everything that is wrong.
+    figures: drawings (`…/<paper>/figure-N.svg`) that some page has to show; those on a page are
+    checked anyway. Raises `InvalidBookError` with everything that is wrong.
     """
     pages = {
         path.name: Page(path.name, path.read_text(encoding="utf-8"))
@@ -162,10 +162,9 @@ def _count_faults(page: Page, paper: str, expected: dict[str, int]) -> Iterator[
 
 
 def _shown_faults(pages: dict[str, Page], drawing: Path) -> Iterator[str]:
-    page = pages.get(f"{drawing.parent.name}.html")
     link = f"figures/{drawing.parent.name}/{drawing.name}"
-    if page is not None and not any(link in figure.links for figure in page.figures):
-        yield f"{page.name}: does not show {drawing.name}"
+    if not any(link in figure.links for page in pages.values() for figure in page.figures):
+        yield f"{link}: no page shows it"
 
 
 def _page_faults(html: Path, page: Page, pages: dict[str, Page]) -> Iterator[str]:

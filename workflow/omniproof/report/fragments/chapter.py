@@ -11,11 +11,13 @@ from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, Row, Verdict, read_json
 from omniproof.report.anchors import anchor, base, selects
+from omniproof.report.derived import Derived
 from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.base import Fragment, link, results_folder, table
 from omniproof.report.fragments.claims import group_html, groups
 from omniproof.report.fragments.counts import accounting_html
 from omniproof.report.fragments.figures import drawn_html
+from omniproof.report.fragments.survival import survives_html
 from omniproof.report.fragments.tables import Labels, beside_html, grid_html, list_html
 from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_html
 from omniproof.report.fragments.values import Value
@@ -31,6 +33,7 @@ class Chapter:
         self.results = results
         self._rows = {row.id: row for row in ledger.rows}
         self._addresses = Addresses(ledger)
+        self._derived = Derived(ledger)
         self._shown: set[str] = set()
 
     @classmethod
@@ -102,7 +105,11 @@ class Chapter:
 
     def counts(self) -> Fragment:
         """Show the verdicts of this paper as a bar and a table."""
-        return Fragment(accounting_html([self.ledger]), "counts")
+        return Fragment(accounting_html(self.ledger), "counts")
+
+    def survives(self) -> Fragment:
+        """Show which conclusions stand, which fall with which fault, and what to use instead."""
+        return Fragment(survives_html(self.ledger, self.href, self._derived), "what survives")
 
     def value(self, claim_id: str, column: str = "printed") -> Value:
         """Return one cell of the ledger for running text (see `in_text`)."""
@@ -115,7 +122,12 @@ class Chapter:
 
     def _cards(self, rows: Iterable[Row], name: str) -> Fragment:
         cards = (
-            group_html(group, self.href, addressed=self._addresses.take(anchor(group.base)))
+            group_html(
+                group,
+                self.href,
+                addressed=self._addresses.take(anchor(group.base)),
+                derived=self._derived,
+            )
             for group in groups(rows)
         )
         return Fragment(f'<div class="claims">{"".join(cards)}</div>', f"claims {name}")

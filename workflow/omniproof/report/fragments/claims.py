@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
 from omniproof.report.anchors import anchor, base, index
+from omniproof.report.changes import Changes, changes
+from omniproof.report.derived import Derived
 from omniproof.report.fragments.base import (
     Href,
     badge,
@@ -83,10 +85,10 @@ def groups(rows: Iterable[Row]) -> tuple[Group, ...]:
     return tuple(Group(name, tuple(members)) for name, members in found.items())
 
 
-def group_html(group: Group, href: Href, *, addressed: bool) -> str:
+def group_html(group: Group, href: Href, *, addressed: bool, derived: Derived | None = None) -> str:
     """Return the card of a claim; `addressed`: the group's own id is free to be an address."""
     if not group.is_matrix:
-        return "".join(row_html(row, href) for row in group.rows)
+        return "".join(row_html(row, href, derived=derived) for row in group.rows)
     verdict = worst(group.rows)
     count = sum(row.verdict is verdict for row in group.rows)
     address = f' id="{anchor(group.base)}"' if addressed else ""
@@ -96,20 +98,23 @@ def group_html(group: Group, href: Href, *, addressed: bool) -> str:
     )
     return (
         f'<section class="claim matrix v-{verdict}"{address}><div class="claim-head">{head}</div>'
-        f"{matrix_html(group)}{_entries_html(group, href)}</section>"
+        f"{matrix_html(group)}{_entries_html(group, href, derived)}</section>"
     )
 
 
-def _entries_html(group: Group, href: Href) -> str:
+def _entries_html(group: Group, href: Href, derived: Derived | None) -> str:
     """Return the entries: those with a fault in the open, the sound ones folded."""
     sound = [row for row in group.rows if row.verdict is Verdict.VERIFIED]
     bare = bool(group.whole)
-    open_ = "".join(row_html(row, href, bare=bare) for row in group.rows if row not in sound)
+
+    def cards(rows: Iterable[Row]) -> str:
+        return "".join(row_html(row, href, bare=bare, derived=derived) for row in rows)
+
+    open_ = cards(row for row in group.rows if row not in sound)
     if not sound:
         return open_
     title = f"{len(sound)} verified" if open_ else "entry by entry"
-    folded = "".join(row_html(row, href, bare=bare) for row in sound)
-    return f"{open_}<details><summary>{title}</summary>{folded}</details>"
+    return f"{open_}<details><summary>{title}</summary>{cards(sound)}</details>"
 
 
 def matrix_html(group: Group) -> str:
@@ -119,26 +124,30 @@ def matrix_html(group: Group) -> str:
     """
     if group.whole:
         return math(group.whole, display=True)
-    grid = _grid(group)
+    matrix = matrix_of(group, _boxed)
+    return math(matrix, display=True) if matrix else ""
+
+
+def matrix_of(group: Group, entry: Callable[[Row], str]) -> str:
+    """Return the LaTeX of a matrix from that of its entries; nothing when one has no place."""
+    grid = _grid(group.rows, entry)
     height, width = (max((place[k] for place in grid), default=0) for k in (0, 1))
     if not grid or len(grid) != height * width:
         return ""
-    lines = (
-        " & ".join(_boxed(grid[i, j]) for j in range(1, width + 1)) for i in range(1, height + 1)
-    )
+    lines = (" & ".join(grid[i, j] for j in range(1, width + 1)) for i in range(1, height + 1))
     body = r" \\ ".join(lines)
-    return math(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}", display=True)
+    return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
 
 
-def _grid(group: Group) -> dict[tuple[int, int], Row]:
+def _grid(rows: Iterable[Row], entry: Callable[[Row], str]) -> dict[tuple[int, int], str]:
     """Return the entries by row and column; empty where one has no place or cannot be set."""
     grid = {}
-    for row in group.rows:
-        place = index(row.id)
+    for row in rows:
+        place, latex = index(row.id), entry(row)
         numbered = place and all(part.isdigit() for part in place)
-        if not (numbered and is_latex(row.printed) and is_settable(row.printed)):
+        if not (numbered and is_latex(latex) and is_settable(latex)):
             return {}
-        grid[int(place[0]), int(place[-1]) if len(place) > 1 else 1] = row
+        grid[int(place[0]), int(place[-1]) if len(place) > 1 else 1] = latex
     return grid
 
 
@@ -146,18 +155,28 @@ def _boxed(row: Row) -> str:
     return rf"\boxed{{{row.printed}}}" if row.verdict.is_fault else row.printed
 
 
-def row_html(row: Row, href: Href, *, addressed: bool = True, bare: bool = False) -> str:
+def row_html(
+    row: Row,
+    href: Href,
+    *,
+    addressed: bool = True,
+    bare: bool = False,
+    derived: Derived | None = None,
+) -> str:
     """Return the card of one row: a line that unfolds when nothing is wrong with it, else open.
 
-    `bare` leaves out what is printed, where that stands above already.
+    `bare` leaves out what is printed, where that stands above already; `derived` has the paper's
+    derivations.
     """
+    changed = changes(row.printed, row.correction) if row.correction else None
+    printed = changed.printed if changed else row.printed
     address = f' id="{anchor(row.id)}"' if addressed else ""
     head = (
         f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
-        f'<span class="printed">{"" if bare else cell(row.printed)}</span>'
+        f'<span class="printed">{"" if bare else cell(printed)}</span>'
     )
     note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
-    facts = facts_html(row, href)
+    facts = facts_html(row, href, derived, changed)
     if row.verdict not in FOLDED:
         return (
             f'<article class="claim v-{row.verdict}"{address}>'
@@ -172,18 +191,31 @@ def row_html(row: Row, href: Href, *, addressed: bool = True, bare: bool = False
     )
 
 
-def facts_html(row: Row, href: Href) -> str:
-    """Return what is known of a row as a list of terms; empty fields are left out."""
-    facts = [(term, text) for term, text in _facts(row, href) if text]
-    items = "".join(f"<div><dt>{term}</dt><dd>{text}</dd></div>" for term, text in facts)
-    return f'<dl class="facts">{items}</dl>'
+def facts_html(
+    row: Row, href: Href, derived: Derived | None = None, changed: Changes | None = None
+) -> str:
+    """Return what is known of a row as a list of terms; empty fields are left out.
+
+    What a script offers to copy stands in attributes: the right form as LaTeX and as SymPy text.
+    """
+    facts = [*_facts(row, href, changed), *_evidence(row, href, derived)]
+    items = "".join(f"<div><dt>{term}</dt><dd>{text}</dd></div>" for term, text in facts if text)
+    right = row.correction or row.derived or row.printed
+    copied = {
+        "latex": right if is_latex(right) else "",
+        "sympy": derived.sympy(row.id) if derived else "",
+    }
+    data = "".join(f' data-{name}="{escape(text)}"' for name, text in copied.items() if text)
+    return f'<dl class="facts"{data}>{items}</dl>'
 
 
-def _facts(row: Row, href: Href) -> Sequence[tuple[str, str]]:
+def _facts(row: Row, href: Href, changed: Changes | None) -> Sequence[tuple[str, str]]:
     shown_already = same(row.printed, row.derived) or same(row.correction, row.derived)
+    correction = changed.corrected if changed else row.correction
     return (
         ("derived", "" if shown_already else cell(row.derived)),
-        ("should read", cell(row.correction, lambda claim: link(claim, href))),
+        ("should read", cell(correction, lambda claim: link(claim, href))),
+        ("change", changes_html(changed)),
         ("true when", cell(row.assumption)),
         ("counterexample", witness_html(row.witness)),
         ("exact value", interval_html(row)),
@@ -192,9 +224,33 @@ def _facts(row: Row, href: Href) -> Sequence[tuple[str, str]]:
         ("consequence", CONSEQUENCES.get(row.consequence, "")),
         ("source", SOURCES.get(row.source, "")),
         ("read as", READINGS.get(row.reading, "")),
-        ("decided by", decided_by(row)),
-        ("address", f'<a class="address" href="{_own(row, href)}">{escape(row.id)}</a>'),
     )
+
+
+def _evidence(row: Row, href: Href, derived: Derived | None) -> Sequence[tuple[str, str]]:
+    """Return who decided a row, by which code, and where it stands on the page and as data."""
+    source = derived.source(row.id) if derived else ""
+    return (
+        ("decided by", decided_by(row)),
+        ("derivation", f"<code>{escape(source)}</code>" if source else ""),
+        (
+            "address",
+            f'<a class="address" href="{_own(row, href)}">{escape(row.id)}</a> in '
+            '<a href="ledger.csv">ledger.csv</a>',
+        ),
+    )
+
+
+def changes_html(changed: Changes | None) -> str:
+    """Return what a correction changes, in words that a screen reader says too."""
+    return "; ".join(map(_change, changed.parts if changed else ()))
+
+
+def _change(part: tuple[str, str]) -> str:
+    old, new = (math(text) for text in part)
+    if not part[1]:
+        return f"{old} is left out"
+    return f"{old} becomes {new}" if part[0] else f"{new} is added"
 
 
 def _own(row: Row, href: Href) -> str:

@@ -10,6 +10,9 @@ from omniproof.audit.ledger import Ledger, Verdict
 from omniproof.report.fragments.base import badge, table
 from omniproof.report.theme import MARKS
 
+ALL = "all"
+"""Name of the sum over all papers among the names of papers."""
+
 
 def verdict_counts(ledger: Ledger) -> Counter[Verdict]:
     """Return the number of rows of each verdict."""
@@ -31,41 +34,39 @@ def bar_html(ledger: Ledger) -> str:
     return f'<div class="bar" role="img" aria-label="{label}">{"".join(parts)}</div>'
 
 
-def accounting_html(ledgers: Sequence[Ledger], *, linked: bool = False) -> str:
-    """Return bars and the table of verdicts by paper, with the sums that have to agree.
+def accounting_html(ledger: Ledger) -> str:
+    """Return one paper's bar, and its table of verdicts with their meaning and the sum."""
+    counts = verdict_counts(ledger)
+    body = [
+        f"<tr><td>{badge(verdict)}</td>{_number(ledger.paper, str(verdict), counts[verdict])}"
+        f"<td>{mark.meaning}</td></tr>"
+        for verdict, mark in MARKS.items()
+        if counts[verdict]
+    ]
+    total = _number(ledger.paper, "all", len(ledger.rows))
+    body.append(f'<tr class="sum"><td>all</td>{total}<td>every row has one verdict</td></tr>')
+    remark = f"{ledger.claims} claims. A matrix is one claim, with a row for each entry."
+    head = ["verdict", "rows", "meaning"]
+    return f'{bar_html(ledger)}{table(head, body, "accounting")}<p class="quiet">{remark}</p>'
 
-    `linked`: head each column with a link to the paper's chapter.
-    """
+
+def matrix_html(ledgers: Sequence[Ledger]) -> str:
+    """Return verdicts by paper, with sums both ways; heads are links to the chapters."""
     counts = {ledger.paper: verdict_counts(ledger) for ledger in ledgers}
-    bars = "".join(_bar_name(ledger, linked) + bar_html(ledger) for ledger in ledgers)
-    names = [_name(ledger.paper, linked) for ledger in ledgers]
-    body = []
-    for verdict, mark in MARKS.items():
-        if any(count[verdict] for count in counts.values()):
-            cells = "".join(
-                f'<td class="number" data-paper="{paper}" data-verdict="{verdict}">'
-                f"{count[verdict]}</td>"
-                for paper, count in counts.items()
-            )
-            body.append(f"<tr><td>{badge(verdict)}</td>{cells}<td>{mark.meaning}</td></tr>")
-    body.append(_sums(ledgers))
-    claims = "; ".join(f"{ledger.claims} claims in {ledger.paper}" for ledger in ledgers)
-    remark = f'<p class="quiet">{claims}. A matrix is one claim, with a row for each entry.</p>'
-    return bars + table(["verdict", *names, "meaning"], body, "accounting") + remark
+    total = sum(counts.values(), Counter[Verdict]())
+    body = [
+        f"<tr><td>{badge(verdict)}</td>"
+        + "".join(_number(paper, str(verdict), count[verdict]) for paper, count in counts.items())
+        + f"{_number(ALL, str(verdict), total[verdict])}</tr>"
+        for verdict in MARKS
+        if total[verdict]
+    ]
+    sums = "".join(_number(ledger.paper, "all", len(ledger.rows)) for ledger in ledgers)
+    whole = _number(ALL, "all", sum(total.values()))
+    body.append(f'<tr class="sum"><td>all</td>{sums}{whole}</tr>')
+    names = [f'<a href="{escape(paper)}.html">{escape(paper)}</a>' for paper in counts]
+    return table(["verdict", *names, "all"], body, "accounting matrix")
 
 
-def _bar_name(ledger: Ledger, linked: bool) -> str:
-    # In its own chapter a paper's bar needs no name.
-    return f'<div class="bar-name">{_name(ledger.paper, linked)}</div>' if linked else ""
-
-
-def _name(paper: str, linked: bool) -> str:
-    return f'<a href="{escape(paper)}.html">{escape(paper)}</a>' if linked else escape(paper)
-
-
-def _sums(ledgers: Sequence[Ledger]) -> str:
-    rows = "".join(
-        f'<td class="number" data-paper="{ledger.paper}" data-verdict="all">{len(ledger.rows)}</td>'
-        for ledger in ledgers
-    )
-    return f'<tr class="sum"><td>all</td>{rows}<td>every row has one verdict</td></tr>'
+def _number(paper: str, verdict: str, number: int) -> str:
+    return f'<td class="number" data-paper="{escape(paper)}" data-verdict="{verdict}">{number}</td>'

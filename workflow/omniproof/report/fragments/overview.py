@@ -21,10 +21,11 @@ from omniproof.report.fragments.base import (
     results_folder,
     table,
 )
-from omniproof.report.fragments.counts import accounting_html, verdict_counts
+from omniproof.report.fragments.counts import bar_html, matrix_html, verdict_counts
 from omniproof.report.fragments.theorems import Theorem, read_theorems
 from omniproof.report.fragments.values import Value
 from omniproof.report.latexfmt import cell, inline, is_latex
+from omniproof.settings import read_settings
 from omniproof.transcription.model import Edition, Kind, Source, Uncheckable
 from omniproof.transcription.paperfile import load_document
 
@@ -44,7 +45,7 @@ class Overview:
         self, ledgers: Iterable[Ledger], theorems: Iterable[Theorem], papers: Path = Path()
     ) -> None:
         self.ledgers = tuple(ledgers)
-        self.papers = papers
+        self.papers_folder = papers
         self.theorems = tuple(theorems)
         self._addresses = {ledger.paper: Addresses(ledger) for ledger in self.ledgers}
 
@@ -53,19 +54,30 @@ class Overview:
         """Open every ledger of the folder of results (found from the working folder)."""
         folder = results or results_folder()
         ledgers = [read_json(path) for path in sorted((folder / "ledger").glob("*.json"))]
-        return cls(ledgers, read_theorems(folder / "theorems.json"), folder.parent / "paper_data")
+        ordered = _in_order_of_book(ledgers, folder.parent)
+        return cls(ordered, read_theorems(folder / "theorems.json"), folder.parent / "paper_data")
 
-    def editions(self) -> Fragment:
-        """Show which text of every paper was audited, from `paper_data/<paper>/paper.yaml`."""
-        items = (
-            edition_html(ledger.paper, read_edition(self.papers / ledger.paper))
+    def papers(self) -> Fragment:
+        """Show every paper: title, authors, edition, and its verdicts as a bar."""
+        cards = (
+            paper_html(ledger, read_edition(self.papers_folder / ledger.paper))
             for ledger in self.ledgers
         )
-        return Fragment(f'<ul class="editions">{"".join(items)}</ul>', "editions")
+        return Fragment(f'<div class="papers">{"".join(cards)}</div>', "papers")
+
+    def sources(self) -> Fragment:
+        """Show which text of every paper was read, with the checksum of its file."""
+        editions = ((p.paper, read_edition(self.papers_folder / p.paper)) for p in self.ledgers)
+        rows = (
+            f'<tr><th scope="row">{escape(paper)}</th><td>{escape(edition.source)}</td>'
+            f"<td><code>{edition.sha256[:16]}…</code></td></tr>"
+            for paper, edition in editions
+        )
+        return Fragment(table(["paper", "text", "SHA-256"], rows, "sources"), "sources")
 
     def counts(self) -> Fragment:
-        """Show the verdicts of every paper as bars and a table."""
-        return Fragment(accounting_html(self.ledgers, linked=True), "counts")
+        """Show how many rows of every paper got which verdict, with the sums."""
+        return Fragment(matrix_html(self.ledgers), "counts")
 
     def count(self, what: str) -> Value:
         """Return a number for running text: `claims`, `rows`, `theorems`, `papers` or a verdict.
@@ -109,7 +121,7 @@ class Overview:
     def assumptions(self) -> Fragment:
         """Show what each paper assumes and does not state, with the claims that need it."""
         titles = {
-            ledger.paper: _titled(ledger.paper, read_edition(self.papers / ledger.paper))
+            ledger.paper: _titled(ledger.paper, read_edition(self.papers_folder / ledger.paper))
             for ledger in self.ledgers
         }
         links = {paper: self._href(paper) for paper in titles}
@@ -158,16 +170,23 @@ def read_edition(folder: Path) -> Edition:
     return Edition.model_validate(document["edition"] if isinstance(document, dict) else None)
 
 
-def edition_html(paper: str, edition: Edition) -> str:
-    """Return one paper's title (a link to its chapter), authors, venue and the text's checksum."""
-    authors = ", ".join(edition.authors)
-    printed = ", ".join(str(part) for part in (edition.venue, edition.year) if part)
+def paper_html(ledger: Ledger, edition: Edition) -> str:
+    """Return one paper's title (a link to its chapter), authors, venue and verdicts."""
+    venue = ", ".join(str(part) for part in (edition.venue, edition.year) if part)
+    about = f"{', '.join(edition.authors)}. {venue[:1].upper()}{venue[1:]}."
+    numbers = f"{ledger.claims} claims, {len(ledger.rows)} rows."
     return (
-        f"<li>{_titled(paper, edition)}<br>"
-        f"{escape(authors)}. {escape(printed)}.<br>"
-        f'<span class="quiet">Text recognition {escape(edition.source)}, SHA-256 '
-        f"<code>{edition.sha256[:16]}…</code></span></li>"
+        f'<section class="paper"><p>{_titled(ledger.paper, edition)}<br>'
+        f'<span class="quiet">{escape(about)} {numbers}</span></p>{bar_html(ledger)}</section>'
     )
+
+
+def _in_order_of_book(ledgers: Iterable[Ledger], project: Path) -> list[Ledger]:
+    """Put ledgers into the order of the configuration, others behind; without one, as they are."""
+    config = project / "workflow" / "config.yaml"
+    order = [*read_settings(config, root=project).papers] if config.is_file() else []
+    places = {paper: place for place, paper in enumerate(order)}
+    return sorted(ledgers, key=lambda ledger: places.get(ledger.paper, len(order)))
 
 
 def _titled(paper: str, edition: Edition) -> str:

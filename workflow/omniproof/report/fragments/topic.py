@@ -9,6 +9,7 @@ from omniproof.report.fragments.base import Fragment, results_folder
 from omniproof.report.fragments.figures import drawn_html
 from omniproof.report.fragments.tables import grid_html
 from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_html
+from omniproof.report.latexfmt import math
 
 
 class Topic:
@@ -37,3 +38,7 @@ class Topic:
     def grid(self, head: Sequence[str], rows: Iterable[Sequence[str]]) -> Fragment:
         """Show computed cells (text with `$math$`) under column heads; the first names the row."""
         return Fragment(grid_html(head, rows), "grid")
+
+    def formula(self, latex: str) -> Fragment:
+        """Show a formula that was computed, in the large style; a wide one scrolls in its box."""
+        return Fragment(f'<p class="computed">{math(latex, display=True)}</p>', "formula")

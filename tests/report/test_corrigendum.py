@@ -1,0 +1,176 @@
+"""What is sent to the authors: what is in it, what is not, in which order, and as a PDF."""
+
+from __future__ import annotations
+
+from io import BytesIO
+from typing import Any
+
+import pytest
+import typst
+from pypdf import PdfReader
+
+from omniproof.audit.ledger import Ledger, Row
+from omniproof.report.corrigendum import corrigendum, place
+from omniproof.report.corrigendum_pdf import pages, pdf, source
+from omniproof.transcription.model import Edition
+
+EDITION = Edition(
+    title="On \\ #wheels",
+    authors=("A. Author", "B. Author"),
+    year=2023,
+    venue="A Journal 3(4)",
+    source="p.txt",
+    sha256="0123456789abcdef" * 4,
+)
+WITNESS = "alpha_1=2/7; printed=0.84; derived=-0.31"
+SUM = {
+    "printed": r"\sin a + \sin b",
+    "correction": r"\sin a - \sin b",
+    "consequence": "motion",
+    "witness": WITNESS,
+}
+CELL = {"kind": "value", "verdict": "misrounded", "consequence": "number", "note": "truncated."}
+PAIR = {"kind": "consistency", "verdict": "inconsistent", "consequence": "text"}
+ASKED = {"source": "doubtful", "consequence": "text", "printed": "k", "correction": "k^2"}
+
+
+def row(claim: str, **fields: Any) -> Row:
+    usual = {"paper": "p", "where": claim, "kind": "identity", "verdict": "erratum"}
+    return Row.model_validate(usual | {"id": claim} | fields)
+
+
+def cells(**values: str) -> list[Row]:
+    return [
+        row(f"tab:2[{name},N_1]", printed="4.6", correction=value,
+            witness=f"printed=4.6; derived={value}18", **CELL)
+        for name, value in values.items()
+    ]  # fmt: skip
+
+
+ROWS = (
+    row("sec:1/name", printed="R", note="differs from eq:9/name.", **PAIR),
+    row("eq:6[2,3]", **SUM),
+    row("xref:sec-3-1-cites-eq-5", kind="reference", printed="Eq. (5) is first",
+        correction="eq:4", note="it is second.", consequence="text"),
+    *cells(X="4.7", Z="4.9"),
+    row("eq:9/name", printed="L", note="differs from sec:1/name.", **PAIR),
+    row("eq:10/a3[2]", follows="eq:6[2,3]", **SUM),
+    row("eq:12", **ASKED),
+    row("eq:13", verdict="model-gap", printed="x"),
+    row("eq:14", verdict="verified", printed="y"),
+)  # fmt: skip
+CONTENT = corrigendum(Ledger(paper="p", claims=len(ROWS), rows=ROWS), EDITION)
+
+
+def ids(items: Any) -> list[list[str]]:
+    return [[member.id for member in item.rows] for item in items]
+
+
+def text_of(data: bytes) -> str:
+    return " ".join(
+        " ".join(page.extract_text() for page in PdfReader(BytesIO(data)).pages).split()
+    )
+
+
+def test_corrections_stand_in_the_papers_order_and_a_misprint_once() -> None:
+    assert ids(CONTENT.corrections) == [
+        ["eq:6[2,3]", "eq:10/a3[2]"],
+        ["xref:sec-3-1-cites-eq-5"],
+        ["tab:2[X,N_1]", "tab:2[Z,N_1]"],
+    ]
+
+
+def test_places_that_contradict_each_other_are_one_item() -> None:
+    assert ids(CONTENT.contradictions) == [["sec:1/name", "eq:9/name"]]
+
+
+def test_what_recognition_may_have_made_is_asked() -> None:
+    assert ids(CONTENT.questions) == [["eq:12"]]
+
+
+def test_a_contradiction_with_one_doubtful_side_is_asked() -> None:
+    """By way of a third place too: the doubt is about all of them."""
+    rows = [
+        row("eq:1/name", printed="R", note="differs from eq:2/name.", **PAIR),
+        row("eq:2/name", printed="L", note="differs from eq:1/name, eq:3/name.", **PAIR),
+        row("eq:3/name", printed="l", note="differs from eq:2/name.", source="doubtful", **PAIR),
+    ]
+    found = corrigendum(Ledger(paper="p", claims=3, rows=tuple(rows)), EDITION)
+    assert ids(found.questions) == [["eq:1/name", "eq:2/name", "eq:3/name"]]
+    assert found.contradictions == ()
+
+
+def test_what_is_no_matter_of_a_corrigendum_is_counted() -> None:
+    assert CONTENT.unlisted == {"model-gap": 1}
+
+
+@pytest.mark.parametrize(
+    ("claim", "expected"),
+    [
+        pytest.param("eq:6[2,3]", "Eq. (6), row 2, column 3", id="entry"),
+        pytest.param("xref:sec-3-1-cites-figure-3a", "Section 3.1, reference", id="subsection"),
+        pytest.param("xref:app-d-cites-eq-12#2", "Appendix (D), reference", id="appendix"),
+    ],
+)
+def test_place(claim: str, expected: str) -> None:
+    assert place(claim) == expected
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        pytest.param("On \\ #wheels A. Author, B. Author. A Journal 3(4), 2023.", id="edition"),
+        pytest.param("text recognition of the PDF (p.txt, SHA-256 0123456789abcdef…)", id="source"),
+        pytest.param("Eq. (6), row 2, column 3 motion #eq-6-2-3", id="place, reach, address"),
+        pytest.param("also: Eq. (10), a3, entry 2", id="where it recurs"),
+        pytest.param("Eq. (5) is first → Eq. (4) It is second.", id="printed, corrected, reason"),
+        pytest.param("4.6 → 4.7 (4.718)", id="decimal with the computed one"),
+        pytest.param("(Section 1, name) ≠", id="contradiction"),
+        pytest.param("Questions Text recognition may have made these.", id="questions apart"),
+        pytest.param("Not listed: 1 model gap.", id="what is not listed"),
+    ],
+)
+def test_pdf_says(words: str) -> None:
+    assert words in text_of(pdf(CONTENT))
+
+
+def test_pdf_has_no_date_and_embeds_its_fonts_and_the_same_bytes_twice() -> None:
+    data = pdf(CONTENT)
+    reader = PdfReader(BytesIO(data))
+    assert not {"/CreationDate", "/ModDate"} & set(reader.metadata or {})
+    fonts = [font.get_object() for font in reader.pages[0]["/Resources"]["/Font"].values()]
+    inner = [font["/DescendantFonts"][0].get_object()["/FontDescriptor"] for font in fonts]
+    assert inner
+    assert all({"/FontFile2", "/FontFile3"} & set(one.get_object()) for one in inner)
+    assert pdf(CONTENT) == data
+
+
+def test_what_two_pages_do_not_hold_is_left_out_minor_things_first_and_counted() -> None:
+    many = [
+        row(f"sec:{n}/word", kind="relation", printed=f"sentence {n}", correction="x",
+            note="so it is.", consequence="text")
+        for n in range(200)
+    ]  # fmt: skip
+    rows = (*many[:100], row("eq:6[2,3]", **SUM), *many[100:])
+    content = corrigendum(Ledger(paper="p", claims=201, rows=rows), EDITION)
+    text = text_of(pdf(content))
+    shown = sum(f"sentence {n} " in text for n in range(200))
+    assert 0 < shown < 100
+    assert "Eq. (6), row 2, column 3" in text
+    assert f"{200 - shown} minor items (text only) did not fit on two pages." in text
+    assert pages(source(content, shown)) == 2
+    assert pages(source(content, shown + 1)) == 3
+
+
+@pytest.mark.parametrize(
+    "printed",
+    [
+        pytest.param('#panic("run")', id="code"),
+        pytest.param(']) #read("/etc/passwd") $x', id="brackets that close ours"),
+        pytest.param("\\frac{#panic()}{2}", id="code in a formula"),
+    ],
+)
+def test_what_a_paper_prints_is_never_run(printed: str) -> None:
+    rows = (row("eq:1", printed=printed, correction=printed, note=printed, consequence="text"),)
+    text = source(corrigendum(Ledger(paper="p", claims=1, rows=rows), EDITION), 1)
+    assert typst.compile(text.encode(), format="pdf", ignore_system_fonts=True)

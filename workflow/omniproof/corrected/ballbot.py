@@ -1,0 +1,73 @@
+"""Corrected formulas of the paper on a ballbot, for NumPy.
+
+A platform with three wheels inside a ball that rolls: angle phi of the wheels in rad, distance L of
+their contacts from the centre in m; arrays are broadcast.
+"""
+
+from __future__ import annotations
+
+from numpy.typing import ArrayLike
+
+from omniproof.corrected.formula import Array, Formula, Functions
+
+
+def body_from_wheel_1(phi: ArrayLike, L: ArrayLike) -> Array:
+    """Return the homogeneous transform of Eq. (5-1), `(..., 4, 4)`."""
+    return _TRANSFORM_1(phi=phi, L=L)
+
+
+def body_from_wheel_2(phi: ArrayLike, L: ArrayLike) -> Array:
+    """Return the homogeneous transform of Eq. (5-2), `(..., 4, 4)`."""
+    return _TRANSFORM_2(phi=phi, L=L)
+
+
+def wheel_1_speed(v_y: ArrayLike, omega_z: ArrayLike, phi: ArrayLike, L: ArrayLike) -> Array:
+    """Return the speed of wheel 1 over the inner surface of the rolling ball, m/s: Eq. (7).
+
+    v_y: velocity of the platform, m/s; omega_z: its yaw rate, rad/s.
+    """
+    return _WHEEL_1(v_y=v_y, omega_z=omega_z, phi=phi, L=L)
+
+
+def wheel_2_speed(
+    v_x: ArrayLike, v_y: ArrayLike, omega_z: ArrayLike, phi: ArrayLike, L: ArrayLike
+) -> Array:
+    """Return the speed of wheel 2, m/s: Eq. (8). Arguments as in `wheel_1_speed`."""
+    return _WHEEL_2(v_x=v_x, v_y=v_y, omega_z=omega_z, phi=phi, L=L)
+
+
+def wheel_3_speed(
+    v_x: ArrayLike, v_y: ArrayLike, omega_z: ArrayLike, phi: ArrayLike, L: ArrayLike
+) -> Array:
+    """Return the speed of wheel 3, m/s: Eq. (9). Arguments as in `wheel_1_speed`."""
+    return _WHEEL_3(v_x=v_x, v_y=v_y, omega_z=omega_z, phi=phi, L=L)
+
+
+def wheel_matrix(phi: ArrayLike, L: ArrayLike) -> Array:
+    """Return the matrix from (v_x, v_y, omega_z) to the wheel speeds, `(..., 3, 3)`: Eq. (10)."""
+    return _MATRIX(phi=phi, L=L)
+
+
+def body_matrix(phi: ArrayLike, L: ArrayLike) -> Array:
+    """Return the matrix from wheel speeds to (v_x, v_y, omega_z), `(..., 3, 3)`: Eq. (10)."""
+    return _INVERSE(phi=phi, L=L)
+
+
+_PAPER = "ballbot"
+_TRANSFORM_1 = Formula(_PAPER, "eq:5-1")
+_TRANSFORM_2 = Formula(_PAPER, "eq:5-2")
+_WHEEL_1 = Formula(_PAPER, "eq:7")
+_WHEEL_2 = Formula(_PAPER, "eq:8")
+_WHEEL_3 = Formula(_PAPER, "eq:9")
+_MATRIX = Formula(_PAPER, "eq:10")
+_INVERSE = Formula(_PAPER, "eq:10/inverse")
+
+FUNCTIONS: Functions = {
+    "eq:5-1": body_from_wheel_1,
+    "eq:5-2": body_from_wheel_2,
+    "eq:7": wheel_1_speed,
+    "eq:8": wheel_2_speed,
+    "eq:9": wheel_3_speed,
+    "eq:10": wheel_matrix,
+    "eq:10/inverse": body_matrix,
+}

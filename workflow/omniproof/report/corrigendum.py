@@ -1,0 +1,135 @@
+"""What a corrigendum says: which faults of a paper, put together how, in the paper's order.
+
+It goes to the authors, so it holds only what stands on its own: faults whose source is clear. What
+text recognition may have made is asked, not stated. A misprint that recurs is one item with all
+its places, and two places that contradict each other are one item too.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict
+from omniproof.audit.places import where
+from omniproof.report.anchors import base
+from omniproof.report.latexfmt import CLAIM
+from omniproof.transcription.model import Edition, Kind, Source
+
+LISTED = frozenset({Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.INCONSISTENT})
+REACHING = frozenset({Consequence.MOTION, Consequence.NUMBER})
+_CITES = re.compile(r"Reference: (sec|app) ((?:\w+ )+)cites ")
+_SECTIONS = {"sec": "Section {}, reference", "app": "Appendix ({}), reference"}
+
+
+@dataclass(frozen=True)
+class Item:
+    """One thing to mend: the rows that one edit, or one decision, settles."""
+
+    rows: tuple[Row, ...]
+
+    @property
+    def lead(self) -> Row:
+        """The row whose place and address the item has."""
+        return self.rows[0]
+
+    @property
+    def is_contradiction(self) -> bool:
+        """Whether these are places that disagree, of which none is known to be right."""
+        return self.lead.kind is Kind.CONSISTENCY
+
+    @property
+    def is_table(self) -> bool:
+        """Whether these are cells of one table, each with a correction of its own."""
+        forms = {(row.printed, row.correction) for row in self.rows}
+        return len(forms) > 1 and not self.is_contradiction
+
+    @property
+    def is_minor(self) -> bool:
+        """Whether the item changes the text only."""
+        return not any(row.consequence in REACHING for row in self.rows)
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether no fault of text recognition would explain it."""
+        return all(row.source is Source.CLEAR for row in self.rows)
+
+
+@dataclass(frozen=True)
+class Corrigendum:
+    """Everything there is to say to the authors of one paper.
+
+    `unlisted` counts the rows that are no matter of a corrigendum, by verdict.
+    """
+
+    paper: str
+    edition: Edition
+    corrections: tuple[Item, ...]
+    contradictions: tuple[Item, ...]
+    questions: tuple[Item, ...]
+    unlisted: Mapping[Verdict, int]
+
+    @property
+    def minor(self) -> tuple[Item, ...]:
+        """What is left out first where the space does not hold all."""
+        return tuple(item for item in self.corrections if item.is_minor) + self.contradictions
+
+
+def corrigendum(ledger: Ledger, edition: Edition) -> Corrigendum:
+    """Gather the faults of a paper's ledger."""
+    faults = [row for row in ledger.rows if row.verdict in LISTED]
+    items = _in_order(faults, [*_recurring(faults), *_contradicting(faults)])
+    clear = [item for item in items if item.is_clear]
+    known = Counter(row.verdict for row in ledger.rows if row.verdict.is_fault)
+    return Corrigendum(
+        paper=ledger.paper,
+        edition=edition,
+        corrections=tuple(item for item in clear if not item.is_contradiction),
+        contradictions=tuple(item for item in clear if item.is_contradiction),
+        questions=tuple(item for item in items if not item.is_clear),
+        unlisted={verdict: n for verdict, n in known.items() if verdict not in LISTED},
+    )
+
+
+def _in_order(rows: Sequence[Row], items: Iterable[Item]) -> list[Item]:
+    place = {row.id: number for number, row in enumerate(rows)}
+    return sorted(items, key=lambda item: place[item.lead.id])
+
+
+def _recurring(rows: Iterable[Row]) -> list[Item]:
+    """Put a misprint with those that follow from it and read alike, and a table's misroundings."""
+    found: dict[tuple[str, ...], list[Row]] = {}
+    for row in rows:
+        if row.kind is Kind.CONSISTENCY:
+            continue
+        key: tuple[str, ...] = (row.follows or row.id, row.printed, row.correction)
+        if row.verdict is Verdict.MISROUNDED:
+            key = (base(row.id), row.verdict)
+        found.setdefault(key, []).append(row)
+    return [Item(tuple(members)) for members in found.values()]
+
+
+def _contradicting(rows: Iterable[Row]) -> list[Item]:
+    """Put the places together whose notes name each other, directly or by way of a third."""
+    places = {row.id: row for row in rows if row.kind is Kind.CONSISTENCY}
+    family: dict[str, frozenset[str]] = {}
+    for row in places.values():
+        named = {row.id, *CLAIM.findall(row.note)} & places.keys()
+        joined = frozenset(named).union(*(family.get(name, frozenset()) for name in named))
+        family.update(dict.fromkeys(joined, joined))
+    members = dict.fromkeys(frozenset(names) for names in family.values())
+    return [Item(tuple(row for name, row in places.items() if name in m)) for m in members]
+
+
+def place(claim: str) -> str:
+    """Return the place of a claim for a reader of the paper; of a reference, the section it is in.
+
+    Raises `ValueError` for what is no id.
+    """
+    words = where(claim)
+    if cited := _CITES.match(words):
+        number = ".".join(cited[2].split())
+        return _SECTIONS[cited[1]].format(number.upper() if cited[1] == "app" else number)
+    return words

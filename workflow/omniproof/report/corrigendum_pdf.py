@@ -1,0 +1,195 @@
+"""A corrigendum as a PDF of at most two pages, typeset by Typst.
+
+Typst needs no network and no installation of its own, embeds its fonts, and gives the same bytes
+for the same content: the document has no date. The layout is `corrigendum.typ`; the content is
+written here. What two pages do not hold is left out, minor things only, and counted.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections.abc import Iterable
+from importlib.resources import files
+
+import typst
+
+from omniproof.audit.ledger import Consequence, Row
+from omniproof.report.anchors import anchor, index
+from omniproof.report.corrigendum import Corrigendum, Item, place
+from omniproof.report.fragments.claims import symbol_latex
+from omniproof.report.latexfmt import CLAIM
+from omniproof.report.theme import MARKS
+from omniproof.report.typstmath import cell, contrasted, inline, is_formula, math, words
+from omniproof.transcription.model import Kind
+
+PAGES = 2
+LONGEST_WITNESS = 4  # values; a longer one says less than its place in the report
+LONGEST_LINE = 150  # characters of LaTeX; a longer formula gets the full width
+_SYMBOL = re.compile(r"[A-Za-z]+_\w+")
+_RELATIVE = re.compile(r", relative error [-+.\de]*\d")
+_COUNT = "\n#context [#metadata(counter(page).final().first()) <pages>]"
+
+
+def pdf(content: Corrigendum) -> bytes:
+    """Typeset a corrigendum; the same content gives the same bytes.
+
+    Raises `typst.TypstError` when Typst refuses the source, which is a defect of this module.
+    """
+    minor = len(content.minor)
+
+    def fits(dropped: int) -> bool:
+        return pages(source(content, minor - dropped)) <= PAGES
+
+    kept = minor - bisect_left(range(minor), True, key=fits)
+    text = source(content, kept).encode()
+    return bytes(typst.compile(text, format="pdf", ignore_system_fonts=True))
+
+
+def pages(text: str) -> int:
+    """Return how many pages a Typst source fills."""
+    document = (text + _COUNT).encode()
+    return int(typst.query(document, "<pages>", "value", one=True, ignore_system_fonts=True))
+
+
+def source(content: Corrigendum, minor: int) -> str:
+    """Return the Typst source of a corrigendum with the first `minor` of its minor items."""
+    kept = frozenset(content.minor[:minor])
+    corrections = [item for item in content.corrections if not item.is_minor or item in kept]
+    contradictions = [item for item in content.contradictions if item in kept]
+    parts = [
+        files("omniproof.report").joinpath("corrigendum.typ").read_text(encoding="utf-8"),
+        _head(content),
+        _call("corrections", map(_row, corrections)),
+        _call("contradictions", map(_pair, contradictions)),
+        _call("questions", map(_row, content.questions)),
+        _end(content, len(content.minor) - len(kept)),
+    ]
+    return "\n".join(parts)
+
+
+def _head(content: Corrigendum) -> str:
+    edition = content.edition
+    venue = ", ".join(str(part) for part in (edition.venue, edition.year) if part)
+    venue = venue[:1].upper() + venue[1:]
+    return (
+        f"#show: sheet.with(title: {words(edition.title)}, "
+        f"authors: {words(', '.join(edition.authors))}, venue: {words(venue)}, "
+        f"text: {words(edition.source)}, sum: {words(edition.sha256[:16])}, "
+        f"chapter: {words(f'{content.paper}.html')})"
+    )
+
+
+def _call(function: str, arguments: Iterable[str]) -> str:
+    return "\n  ".join([f"#{function}(", *arguments]) + "\n)"
+
+
+def _end(content: Corrigendum, dropped: int) -> str:
+    counts = ", ".join(f"{n} {MARKS[verdict].word}" for verdict, n in content.unlisted.items())
+    chapter = words(f"{content.paper}.html")
+    return f"#end(dropped: {dropped}, unlisted: {words(counts)}, chapter: {chapter})"
+
+
+def _row(item: Item) -> str:
+    """Return one line of a table: place, printed and corrected, reason."""
+    lead = item.lead
+    if item.is_contradiction:
+        name, body = _place(lead), _sides(item)
+    elif item.is_table:
+        name, body = _named(place(lead.id).split(",")[0]), _cells(item)
+    else:
+        name, body = _place(lead), _change(item)
+    wide = is_formula(lead.printed) and len(lead.correction) > LONGEST_LINE
+    reach = "" if lead.consequence is Consequence.TEXT else lead.consequence
+    return (
+        f"(place: [{name}], reach: {words(reach)}, address: {_address(lead)}, "
+        f"wide: {str(wide).lower()}, body: [{body}], reason: [{_reason(item)}]),"
+    )
+
+
+def _change(item: Item) -> str:
+    """Return what is printed and what it should read, and where else the same is to be mended."""
+    lead = item.lead
+    if is_formula(lead.printed) and is_formula(lead.correction):
+        printed, corrected = contrasted(lead.printed, lead.correction)
+    else:
+        printed, corrected = (cell(text, _refer) for text in (lead.printed, lead.correction))
+    exact = _values(lead).get("derived", "") if lead.kind is Kind.VALUE else ""
+    also = "; ".join(_place(row) for row in item.rows[1:])
+    return (
+        f"#change([{printed}], [{corrected}{f' #exact[{math(exact)}]' if exact else ''}])"
+        f"{f'#also[{also}]' if also else ''}"
+    )
+
+
+def _cells(item: Item) -> str:
+    """Return the cells of one table, each with its name, what is printed, and the exact value."""
+    return " ".join(
+        f"#entry([{_named(', '.join(index(row.id)))}], [{math(row.printed)}], "
+        f"[{math(row.correction)} #exact[{math(_values(row)['derived'])}]])"
+        for row in item.rows
+    )
+
+
+def _pair(item: Item) -> str:
+    return f"[{_sides(item)} #by({_address(item.lead)})],"
+
+
+def _sides(item: Item) -> str:
+    """Return the forms that disagree, each with its places."""
+    places: dict[str, list[str]] = {}
+    for row in item.rows:
+        places.setdefault(row.printed, []).append(_place(row))
+    return " #differs ".join(
+        f"{cell(text, _refer)} #at[{'; '.join(named)}]" for text, named in places.items()
+    )
+
+
+def _address(row: Row) -> str:
+    return words(f"#{anchor(row.id)}")
+
+
+def _place(row: Row) -> str:
+    return _refer(row.id)
+
+
+def _refer(claim: str) -> str:
+    return _named(place(claim))
+
+
+def _named(names: str) -> str:
+    """Return names joined by commas as markup; one with an index is a symbol, `N_1`."""
+    return ", ".join(
+        math(name) if _SYMBOL.fullmatch(name) else f"#{words(name)};" for name in names.split(", ")
+    )
+
+
+def _reason(item: Item) -> str:
+    """Return why the printed form is wrong: the note of the row, or its counterexample."""
+    lead = item.lead
+    told = _RELATIVE.sub("", lead.note) if lead.kind is not Kind.IDENTITY else ""
+    if item.is_contradiction:
+        told = told.partition(" differs from ")[0]
+    if told and not CLAIM.match(told):
+        told = told[0].upper() + told[1:]
+    reason = inline(told, _refer) if told else _counterexample(lead)
+    if lead.follows and lead.follows not in {row.id for row in item.rows}:
+        return f"{reason} {inline(f'Follows from {lead.follows}.', _refer)}"
+    return reason
+
+
+def _counterexample(row: Row) -> str:
+    values = _values(row)
+    printed, true = (cell(values.pop(side, ""), _refer) for side in ("printed", "derived"))
+    if not (printed and true):
+        return inline(row.note, _refer)
+    point = ", ".join(math(f"{symbol_latex(name)} = {value}") for name, value in values.items())
+    if len(values) > LONGEST_WITNESS:
+        point = "one choice of values"
+    return f"{f'At {point}: p' if point else 'P'}rinted {printed}, true {true}."
+
+
+def _values(row: Row) -> dict[str, str]:
+    """Return the witness by name: `alpha_1=2/7; printed=0.84`."""
+    pairs = (part.partition("=") for part in row.witness.split("; "))
+    return {name: value for name, sign, value in pairs if sign}

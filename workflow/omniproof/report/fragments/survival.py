@@ -1,0 +1,171 @@
+"""What survives: the conclusions of a paper, its faults with what rests on them, its formulas."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from omniproof.audit.ledger import Ledger, Row
+from omniproof.corrected import FUNCTIONS
+from omniproof.report.anchors import base
+from omniproof.report.changes import changes
+from omniproof.report.derived import Derived
+from omniproof.report.fragments.base import Href, badge, link, table, worst
+from omniproof.report.fragments.claims import Group, matrix_of
+from omniproof.report.latexfmt import cell, formula
+from omniproof.report.survival import (
+    JUDGED,
+    Fate,
+    Fault,
+    conclusions,
+    fate,
+    faults,
+    replaced,
+    tally,
+)
+from omniproof.transcription.model import Source
+
+WORDS = {
+    Fate.STANDS: "stand as printed",
+    Fate.MENDED: "stand once a fault elsewhere is mended",
+    Fate.LIMITED: "stand under a condition",
+    Fate.FALLS: "fall",
+    Fate.OPEN: "cannot be checked here",
+}
+
+
+def survives_html(ledger: Ledger, href: Href, derived: Derived) -> str:
+    """Return what stands, what falls with which fault, and what to use instead."""
+    return (
+        f"{_sum(ledger)}{_conclusions(ledger, href)}{_faults(faults(ledger), href)}"
+        f"{_formulas(ledger, href, derived)}"
+    )
+
+
+def _sum(ledger: Ledger) -> str:
+    judged = [row for row in ledger.rows if row.kind in JUDGED]
+    fates = ", ".join(f"<b>{count}</b> {WORDS[kind]}" for kind, count in tally(judged))
+    return (
+        f"<p>Of the {len(judged)} formulas, numbers and statements of this paper, {fates}. Each "
+        "was derived from mechanics, not from the lines before it: what stands does so even where "
+        "the paper gets to it by way of a misprint.</p>"
+    )
+
+
+def _conclusions(ledger: Ledger, href: Href) -> str:
+    found = conclusions(ledger)
+    lines = [_conclusion(row, href) for row in found if fate(row) is not Fate.OPEN]
+    if not lines:
+        return f"<h3>Conclusions</h3><p>{_none(len(found))}</p>"
+    open_ = len(found) - len(lines)
+    rest = f'<p class="quiet">{open_} more cannot be checked here.</p>' if open_ else ""
+    head = ["what the paper concludes", "what becomes of it"]
+    return f"<h3>Conclusions</h3>{table(head, lines, 'fates')}{rest}"
+
+
+def _none(conclusions: int) -> str:
+    if not conclusions:
+        return "The abstract and the last section say nothing that is not in the sections between."
+    return f"None of the {conclusions} in abstract and last section can be checked here."
+
+
+def _conclusion(row: Row, href: Href) -> str:
+    follows = link(row.follows, href) if row.follows else ""
+    because = f", with {follows}" if follows else ""
+    told = {
+        Fate.STANDS: "stands",
+        Fate.MENDED: f"stands once {follows} is mended",
+        Fate.LIMITED: f"stands under the condition: {cell(row.assumption)}",
+        Fate.FALLS: f"falls{because}"
+        + (f"; in fact {cell(row.correction)}" * bool(row.correction)),
+    }[fate(row)]
+    return (
+        f'<tr class="v-{row.verdict}"><td>{cell(row.printed)} '
+        f'<span class="quiet">{link(row.id, href)}</span></td>'
+        f"<td>{badge(row.verdict)} {told}</td></tr>"
+    )
+
+
+def _faults(found: Sequence[Fault], href: Href) -> str:
+    carrying = [fault for fault in found if fault.falling or fault.standing]
+    alone = len(found) - len(carrying)
+    remark = f"Nothing else rests on {'the other ' if carrying else 'any of the '}{alone} faults."
+    rest = f'<p class="quiet">{remark}</p>' if alone else ""
+    if not carrying:
+        return f"<h3>What rests on the faults</h3>{rest or '<p>There are no faults.</p>'}"
+    lines = (
+        f'<tr class="v-{fault.row.verdict}"><th scope="row">{badge(fault.row.verdict)} '
+        f"{link(fault.row.id, href)}</th><td>{_places(fault.falling, href)}</td>"
+        f"<td>{_places(fault.standing, href)}</td></tr>"
+        for fault in carrying
+    )
+    head = ["fault", "has the same fault", "stands once it is mended"]
+    return f"<h3>What rests on the faults</h3>{table(head, lines, 'fates')}{rest}"
+
+
+def _places(rows: Iterable[Row], href: Href) -> str:
+    """Return links, the entries of a matrix as one."""
+    found = dict.fromkeys(base(row.id) for row in rows)
+    return "; ".join(link(name, href) for name in found) or "nothing"
+
+
+def _formulas(ledger: Ledger, href: Href, derived: Derived) -> str:
+    groups = [Group(base(rows[0].id), rows) for rows in replaced(ledger)]
+    head = "<h3>Use instead</h3>"
+    if not groups:
+        return f"{head}<p>Every formula can be used as it is printed.</p>"
+    functions = FUNCTIONS.get(ledger.paper, {})
+    module = f"omniproof.corrected.{ledger.paper.replace('-', '_')}"
+    usage = f"<p>Functions are to be imported from <code>{module}</code>.</p>" if functions else ""
+    items = (_formula(group, functions.get(group.base), href, derived) for group in groups)
+    return f'{head}{usage}<ul class="instead">{"".join(items)}</ul>'
+
+
+def _formula(group: Group, function: object, href: Href, derived: Derived) -> str:
+    latex = corrected_latex(group)
+    text = derived.sympy(group.base if group.is_matrix else group.rows[0].id)
+    place = link(group.base, href)
+    if any(row.source is not Source.CLEAR for row in group.rows):
+        place += ' <span class="quiet">(look at the PDF first)</span>'
+    shown = formula(corrected_latex(group, marked=True)) if latex else "see its entries"
+    called = f"<code>{escape(_signature(function))}</code>" if callable(function) else ""
+    sympy = (
+        f"<details><summary>SymPy</summary><code>{escape(text)}</code></details>" if text else ""
+    )
+    copied = "".join(
+        f' data-{name}="{escape(value)}"'
+        for name, value in (("latex", latex), ("sympy", text))
+        if value
+    )
+    return (
+        f'<li class="v-{worst(group.rows)} copyable" data-name="{escape(group.base)}"{copied}>'
+        f'<div class="place">{place} {called}</div><div class="formula">{shown}</div>{sympy}</li>'
+    )
+
+
+def corrected_latex(group: Group, *, marked: bool = False) -> str:
+    """Return a formula as it should read, a matrix with all its entries.
+
+    `marked`: show what changes in it.
+    """
+    if group.is_matrix:
+        return matrix_of(group, _marked_entry if marked else _right)
+    row = group.rows[0]
+    changed = changes(row.printed, row.correction) if marked and row.correction else None
+    return changed.corrected if changed else _right(row)
+
+
+def _right(row: Row) -> str:
+    return row.correction or row.derived or row.printed
+
+
+def _marked_entry(row: Row) -> str:
+    return rf"\changed{{{_right(row)}}}" if row.verdict.is_fault else _right(row)
+
+
+def _signature(function: object) -> str:
+    assert callable(function)
+    return (
+        f"{getattr(function, '__name__', '')}({', '.join(inspect.signature(function).parameters)})"
+    )
