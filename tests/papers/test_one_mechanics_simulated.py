@@ -20,6 +20,7 @@ NUMBERS = {
     "sum_of_slips": 0.5,
     "share": 0.25,
     "slip_1": 0.125,
+    "slip_2": 0.125,
     "grip_1": 1.0,
     "grip_2": 0.3,
     "grip_3": 1.0,
