@@ -5,7 +5,9 @@ import pytest
 
 from omniproof.papers.ballbot.simulated import (
     ANGLES_DEG,
+    LAWS,
     SIDES,
+    TURNING,
     TURNS,
     laws_in_simulation,
     least_margin,
@@ -14,7 +16,7 @@ from omniproof.papers.ballbot.simulated import (
 
 MOVING = {"share": 0.9, "rolling_error": 0.001, "printed_error": 0.1, "margin": 100.0}
 MOVING_MORE = {"share": 0.91, "rolling_error": 0.0025, "printed_error": 0.09, "margin": 36.0}
-TURNING = {"yaw_rate": 0.1, "spin": -0.3, "law_yaw_rate": 0.401}
+TURNED = {"yaw_rate": 0.1, "spin": -0.3, "law_yaw_rate": 0.401}
 
 
 def long(cases, model="ballbot"):
@@ -31,8 +33,8 @@ def summary():
     places = [f"{side}-{angle}" for side in SIDES for angle in ANGLES_DEG]
     moving = {f"{place}-along-x": MOVING for place in places}
     more = {"on-top-30-mixed": MOVING_MORE}
-    held = {"on-top-45-turning-floor-torsion": TURNING | {"yaw_rate": 0.4, "spin": -1e-9}}
-    turning = dict.fromkeys(TURNS, TURNING) | held
+    held = {"on-top-45-turning-floor-torsion": TURNED | {"yaw_rate": 0.4, "spin": -1e-9}}
+    turning = dict.fromkeys(TURNS, TURNED) | held
     others = long({"inside-30-along-x": {"margin": 1.0, "share": 0.0}}, "omni-robot")
     return pd.concat([others, long(moving | more | turning)])
 
@@ -50,6 +52,11 @@ def test_which_body_turns(summary):
     point, _, held = turns_in_simulation(summary)
     assert point == ["inside, point of contact", "0.100", "\N{MINUS SIGN}0.300", "0.400", "0.401"]
     assert held[1:] == ["0.400", "0.000", "0.400", "0.401"]
+
+
+def test_heads_fit_their_tables(summary):
+    assert {len(row) for row in laws_in_simulation(summary)} == {len(LAWS)}
+    assert {len(row) for row in turns_in_simulation(summary)} == {len(TURNING)}
 
 
 def test_numbers_without_the_ballbot_are_an_error():
