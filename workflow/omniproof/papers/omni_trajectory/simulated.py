@@ -74,7 +74,8 @@ def controls_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
     for quantity, words in CONTROLS.items():
         corrected = quantity.split("_eq_")[0].split("_tab_")[0]
         compared = flying[flying[quantity].notna()]
-        rows.append([words, _short(compared[corrected].max()), _short(compared[quantity].min())])
+        most, least = max(compared[corrected]), min(compared[quantity])
+        rows.append([words, _short(most), _short(least)])
     return rows
 
 
@@ -85,8 +86,8 @@ def worst(summary: pd.DataFrame, error: str, start: str) -> str:
 
 
 def _errors(numbers: pd.DataFrame, case: str) -> Sequence[str]:
-    found = (numbers.loc[case.format(start=start)] for start in STARTS)
-    return [_short(row[error]) for row in found for error in ERRORS]
+    cases = (case.format(start=start) for start in STARTS)
+    return [_short(float(numbers[error][case])) for case in cases for error in ERRORS]
 
 
 def _by_case(summary: pd.DataFrame) -> pd.DataFrame:
