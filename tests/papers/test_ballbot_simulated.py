@@ -9,13 +9,26 @@ from omniproof.papers.ballbot.simulated import (
     SIDES,
     TURNING,
     TURNS,
+    deepest,
     laws_in_simulation,
     least_margin,
     turns_in_simulation,
 )
 
-MOVING = {"share": 0.9, "rolling_error": 0.001, "printed_error": 0.1, "margin": 100.0}
-MOVING_MORE = {"share": 0.91, "rolling_error": 0.0025, "printed_error": 0.09, "margin": 36.0}
+MOVING = {
+    "share": 0.9,
+    "sinking": 7.6e-5,
+    "rolling_error": 0.001,
+    "printed_error": 0.1,
+    "margin": 100.0,
+}
+MOVING_MORE = {
+    "share": 0.91,
+    "sinking": 1.21e-4,
+    "rolling_error": 0.0025,
+    "printed_error": 0.09,
+    "margin": 36.0,
+}
 TURNED = {"yaw_rate": 0.1, "spin": -0.3, "law_yaw_rate": 0.401}
 
 
@@ -46,6 +59,7 @@ def test_worst_numbers_of_each_set_up(summary):
     assert rows[0] == ["inside the ball", "30°", "0.900", "0.866", "0.10%", "10.0%", "100"]
     assert rows[3] == ["on top of it", "30°", "0.900 to 0.910", "0.866", "0.25%", "9.0%", "36"]
     assert least_margin(summary) == "36"
+    assert deepest(summary) == "0.12 mm"
 
 
 def test_which_body_turns(summary):

@@ -77,6 +77,11 @@ def least_margin(summary: pd.DataFrame) -> str:
     return f"{_by_case(summary)['margin'].min():.0f}"
 
 
+def deepest(summary: pd.DataFrame) -> str:
+    """How much deeper the platform sits than on a hard, smooth ball, in the worst case."""
+    return f"{1000 * _by_case(summary)['sinking'].max():.2f} mm"
+
+
 def _by_case(summary: pd.DataFrame) -> pd.DataFrame:
     """One row a case of this paper, one column a quantity; raises `KeyError` without any."""
     own = summary[summary["model"] == "ballbot"]
