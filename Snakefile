@@ -15,6 +15,7 @@ min_version("9.0")
 include: "workflow/rules/common.smk"
 include: "workflow/rules/audit.smk"
 include: "workflow/rules/mutation.smk"
+include: "workflow/rules/simulation.smk"
 include: "workflow/rules/tables.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/notebooks.smk"
@@ -28,6 +29,7 @@ rule all:
         ledger="results/ledger.csv",
         theorems="results/theorems.json",
         mutation="results/mutation.json",
+        simulation="results/simulation/summary.csv",
         tables=expand("{table}", table=tables_of(*settings.papers)),
         figures=figures_of(*settings.told),
         chapters=expand("results/notebooks/{chapter}.ipynb", chapter=settings.chapters),

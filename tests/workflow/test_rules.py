@@ -7,7 +7,15 @@ import pytest
 
 from omniproof.sources import sources
 
-RULE_FILES = ["audit.smk", "mutation.smk", "tables.smk", "figures.smk", "notebooks.smk", "book.smk"]
+RULE_FILES = [
+    "audit.smk",
+    "mutation.smk",
+    "simulation.smk",
+    "tables.smk",
+    "figures.smk",
+    "notebooks.smk",
+    "book.smk",
+]
 ORDER = [
     "name",
     "default_target",
@@ -159,4 +167,5 @@ def test_derivations_belong_to_their_paper(jobs):
         folders = (re.search(r"/papers/([a-z_]+)/", file) for file in files(job, "input"))
         papers = {found[1] for found in folders if found}
         named = f"{job['rule']} {files(job, 'output')}".replace("-", "_")
-        assert all(paper in named for paper in papers) or job["rule"] in {"theorems", "mutation"}
+        shared = "simulation" in named or job["rule"] in {"theorems", "mutation"}
+        assert shared or all(paper in named for paper in papers)

@@ -27,6 +27,7 @@ def folder(tmp_path):
         "workflow/omniproof/papers/one_wheel/derivations.py",
         "notebooks/index.md",
         "notebooks/one-wheel.md",
+        "workflow/omniproof/simulation/one_wheel.py",
     ):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()
@@ -63,7 +64,7 @@ def test_command_line_comes_first(folder):
             "config.yaml:1:1: chapters: expected this key, found none\n"
             "    add it\n"
             "config.yaml:5:1: zzz: expected a known key, found another\n"
-            "    known: chapters, mutation, papers, topics",
+            "    known: chapters, mutation, papers, simulation, topics",
             id="missing and unknown key",
         ),
         pytest.param(
@@ -74,6 +75,21 @@ def test_command_line_comes_first(folder):
             "config.yaml:7:3: mutation.seeds: expected a known key, found another\n"
             "    did you mean `seed`?",
             id="sample of mutants",
+        ),
+        pytest.param(
+            "chapters:",
+            "simulation:\n  one-weel: [slow]\nchapters:",
+            "config.yaml:6:3: simulation.one-weel: "
+            "no file workflow/omniproof/simulation/one_weel.py\n"
+            "    did you mean `one-wheel`?",
+            id="misspelt model",
+        ),
+        pytest.param(
+            "chapters:",
+            "simulation:\n  one-wheel: [Slow run]\nchapters:",
+            "config.yaml:6:15: simulation.one-wheel[1]: expected a key, found 'Slow run'\n"
+            "    write lower-case words joined by hyphens, such as omni-arrangement",
+            id="no name of a case",
         ),
         pytest.param(
             "[1, 2]",

@@ -1,8 +1,9 @@
-r"""The command line: `omniproof check 'LHS = RHS'` and `omniproof audit FOLDER`.
+r"""The command line: `omniproof check 'LHS = RHS'`, `audit FOLDER`, `simulate MODEL CASE`.
 
-Data goes to stdout, talk to stderr. Exit status of both: 2 bad input, 4 internal. A check: 0 true,
+Data goes to stdout, talk to stderr. Exit status of all: 2 bad input, 4 internal. A check: 0 true,
 1 false, or true under a condition only, 3 not decided. An audit: 0 the ledger could be computed,
-whatever it says. Imports wait until a command is known, so that `--help` is quick.
+whatever it says. A simulation: 0 done, 1 for a run that left physics behind. Imports wait until a
+command is known, so that `--help` is quick.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     from omniproof.transcription.faults import BadInput
 
     try:
-        status, text = _check(options) if options.command == "check" else _audit(options)
+        status, text = _COMMANDS[options.command](options)
     except BadInput as error:
         print(error, file=sys.stderr)
         return BAD_INPUT
@@ -61,7 +62,25 @@ def _parser() -> argparse.ArgumentParser:
     audit = commands.add_parser("audit", help="audit one paper", description=_AUDIT)
     audit.add_argument("folder", type=Path, help="folder of the paper, such as paper_data/ballbot")
     audit.add_argument("--json", action="store_true", help="print the ledger as one JSON object")
+    _add_simulate(commands.add_parser("simulate", help="run one case", description=_SIMULATE))
     return parser
+
+
+def _add_simulate(simulate: argparse.ArgumentParser) -> None:
+    simulate.add_argument("model", nargs="?", help="such as omni-robot")
+    simulate.add_argument("case", nargs="?", help="such as line-30-flying; without it, list them")
+    simulate.add_argument("--list", action="store_true", help="list the cases, and run none")
+    simulate.add_argument(
+        "--summary", action="store_true", help="print what is read off the run, not its course"
+    )
+    simulate.add_argument(
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="change a parameter, such as friction=0.1",
+    )
+    simulate.add_argument("--output", metavar="FILE", type=Path, help="write there, not to stdout")
 
 
 def _add_check(check: argparse.ArgumentParser) -> None:
@@ -104,6 +123,10 @@ starts with a minus sign goes behind --. Exit status 0 true, 1 false, or true un
 only, 2 bad input, 3 not decided, 4 internal."""
 _AUDIT = """Print the ledger of one paper: a line for every printed cell that a reader has to know
 of, and the number of the others. Exit status 0 whatever the verdicts are, 2 for bad input."""
+
+_SIMULATE = """Run one case in the physics engine and print its course as CSV, in SI units. Without
+a case, list what there is. Exit status 0 done, 1 for a run that left physics behind, 2 bad
+input."""
 
 
 def _check(options: argparse.Namespace) -> tuple[int, str]:
@@ -154,6 +177,31 @@ def _audit(options: argparse.Namespace) -> tuple[int, str]:
     from omniproof.report.terminal import ledger_text
 
     return OK, ledger_text(ledger)
+
+
+def _simulate(options: argparse.Namespace) -> tuple[int, str]:
+    from omniproof.simulation.case import UnknownNameError
+    from omniproof.simulation.command import listing, simulated
+    from omniproof.simulation.engine import ImplausibleRunError
+
+    try:
+        if options.list or options.case is None:
+            text = listing(options.model)
+        else:
+            text = simulated(options.model, options.case, options.set, summary=options.summary)
+    except (UnknownNameError, ValueError) as error:
+        print(error, file=sys.stderr)
+        return BAD_INPUT, ""
+    except ImplausibleRunError as error:
+        print(error, file=sys.stderr)
+        return FALSE, ""
+    if options.output:
+        options.output.write_text(f"{text.rstrip()}\n", encoding="utf-8")
+        return OK, ""
+    return OK, text.rstrip()
+
+
+_COMMANDS = {"check": _check, "audit": _audit, "simulate": _simulate}
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ class MutationSettings(BaseModel):
 
 
 class Settings(BaseModel):
-    """What is built: papers and topics by key, the chapters of the report, the sample of mutants.
+    """What is built: papers, topics, simulated cases by model, chapters, the sample of mutants.
 
     A topic is what several papers say together: it has theorems and drawings, and nothing printed.
     """
@@ -69,6 +69,7 @@ class Settings(BaseModel):
 
     papers: dict[Key, PaperSettings] = Field(min_length=1)
     topics: dict[Key, TopicSettings] = Field(default_factory=dict)
+    simulation: dict[Key, tuple[Key, ...]] = Field(default_factory=dict)
     chapters: tuple[Key, ...] = Field(min_length=1)
     mutation: MutationSettings = MutationSettings()
 
@@ -122,7 +123,7 @@ def _load(file: Path, text: str) -> Mapping[str, Any]:
 
 
 def _absent(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
-    """Yield place, message and cure for every paper, topic or chapter without its files."""
+    """Yield place, message and cure for every paper, topic, model, chapter without its files."""
     papers = sorted(file.parent.name for file in root.glob("paper_data/*/paper.yaml"))
     chapters = sorted(file.stem for file in root.glob("notebooks/*.md"))
     for paper in settings.papers:
@@ -140,6 +141,13 @@ def _absent(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
         code = f"workflow/omniproof/papers/{module_name(topic)}"
         if not any((root / code).glob("theorems*")):
             yield ("topics", topic), f"no module theorems in {code}", "write what is proved there"
+    models = sorted(
+        file.stem.replace("_", "-") for file in root.glob("workflow/omniproof/simulation/*.py")
+    )
+    for model in settings.simulation:
+        if model not in models:
+            code = f"workflow/omniproof/simulation/{module_name(model)}.py"
+            yield ("simulation", model), f"no file {code}", _nearest(model, models)
     for position, chapter in enumerate(settings.chapters):
         if chapter not in chapters:
             place = ("chapters", position)

@@ -47,6 +47,18 @@ def paper_data(paper):
     return sorted(map(str, Path("paper_data", paper).iterdir()))
 
 
+def data_behind(*modules):
+    """Return the files that say what the papers print that modules of the package rest on."""
+    folders = (Path(file).parts for file in package(*modules))
+    used = {parts[3] for parts in folders if parts[2] == "papers" and len(parts) > 4}
+    return [
+        file
+        for paper in settings.papers
+        if module_name(paper) in used
+        for file in paper_data(paper)
+    ]
+
+
 def theorems_of(*papers):
     """Return the source files of the theorems of papers and topics; a paper may have none."""
     folders = {paper: Path("workflow/omniproof/papers", module_name(paper)) for paper in papers}
@@ -106,6 +118,11 @@ def code_of(chapter):
 def mutation_of(chapter):
     """Return the study of planted misprints, for the chapter that shows it."""
     return ["results/mutation.json"] if chapter == "findings" else []
+
+
+def simulation_of(chapter):
+    """Return the numbers of the simulations, for the chapter that shows them."""
+    return ["results/simulation/summary.csv"] if chapter == "simulation" else []
 
 
 def reported(kind, paper, numbers, files):

@@ -1,0 +1,79 @@
+"""What `omniproof simulate` does: list what there is, run one case, show how far it is.
+
+A failed run names its parameters; `changed` takes them back in, so that it can be seen again.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import TextIO
+
+from omniproof.simulation.case import MODELS, Case, model, unknown
+from omniproof.simulation.engine import reporting
+from omniproof.simulation.files import SUMMARY, csv_text, recording_csv, summary_rows
+
+WIDTH = 30
+"""Characters of the bar that shows progress."""
+
+
+def listing(name: str | None) -> str:
+    """Return the cases of a model, or of all, one a line: `omni-robot line-0-flying`."""
+    names = MODELS if name is None else [name]
+    return "\n".join(f"{one} {case.name}" for one in names for case in model(one).cases)
+
+
+def simulated(name: str, case_name: str, changes: Iterable[str], *, summary: bool) -> str:
+    """Run a case, with `changes` such as `friction=0.1`; return its recording or summary as CSV.
+
+    Talks to stderr. Raises `UnknownNameError`, `ImplausibleRunError`, and `ValueError` for a value
+    that is no number.
+    """
+    found = model(name)
+    case = changed(found.case(case_name), changes)
+    with _bar(f"{name} {case_name}", sys.stderr):
+        recording = found.simulate(case)
+    if not summary:
+        return recording_csv(recording)
+    return csv_text(SUMMARY, summary_rows(found, case, recording))
+
+
+def changed(case: Case, changes: Iterable[str]) -> Case:
+    """Return a case with other parameters, each written `name=value`."""
+    parameters = dict(case.parameters)
+    for change in changes:
+        name, equals, value = change.partition("=")
+        if not equals or name not in parameters:
+            raise unknown("parameter as name=value", name, parameters)
+        try:
+            parameters[name] = type(parameters[name])(value)
+        except ValueError:
+            raise ValueError(f"expected a number for {name}, found {value!r}") from None
+    return replace(case, parameters=parameters)
+
+
+@contextmanager
+def _bar(title: str, stream: TextIO) -> Iterator[None]:
+    """Show on a terminal how much of a run is done; elsewhere, that it is done."""
+    shown = -1
+
+    def show(share: float) -> None:
+        nonlocal shown
+        percent = round(100 * share)
+        if percent != shown:
+            shown = percent
+            full = "#" * round(WIDTH * share)
+            stream.write(f"\r{title} [{full:<{WIDTH}}] {percent:3d} %")
+            stream.flush()
+
+    if not stream.isatty():
+        yield
+        print(f"{title}: done", file=stream)
+        return
+    with reporting(show):
+        try:
+            yield
+        finally:
+            stream.write("\n")
