@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
 from random import Random
 from typing import Any
 
 from mpmath import matrix, mp, mpf
 from sympy import Basic, Expr, MatrixBase, Rational
+
+from omniproof.registry import Registry
 
 CLOSE = mpf(10) ** -25
 Point = dict[str, Any]
@@ -61,3 +64,9 @@ def same(found: Any, expected: Any, point: Point) -> bool:
 def digits(value: Expr, point: Point) -> str:
     """Fifteen digits of a derived expression at a point."""
     return mp.nstr(mp.mpmathify(at(value, point).evalf(20)), 15)
+
+
+def uncompared(registry: Registry, claims: Iterable[str], compared: Iterable[str]) -> set[str]:
+    """Claims that no compared claim shares its derivation with."""
+    builds = {registry.derivations[claim].build for claim in compared}
+    return {claim for claim in claims if registry.derivations[claim].build not in builds}

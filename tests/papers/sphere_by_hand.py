@@ -25,8 +25,8 @@ def less(a: Sequence[Any], b: Sequence[Any]) -> Vector:
     return [x - y for x, y in zip(a, b, strict=True)]
 
 
-def added(a: Sequence[Any], b: Sequence[Any]) -> Vector:
-    return [x + y for x, y in zip(a, b, strict=True)]
+def added(*vectors: Sequence[Any]) -> Vector:
+    return [sum(column) for column in zip(*vectors, strict=True)]
 
 
 def in_plane(azimuth: Any, angle: Any, speed: Any) -> Roller:

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 import pytest
-from at_points import Point, digits, random_point, same
+from altered import changed, functions, longer_lever
+from at_points import Point, digits, random_point, same, uncompared
 from by_hand import cross
 from mpmath import cos, eye, inverse, matrix, mpf, pi, sin
-from sympy import Expr, MatrixBase
 
-from omniproof.kinematics import rolling
 from omniproof.papers.ballbot.derivations import REGISTRY
-from omniproof.registry import Family, Modelled, Relation
+from omniproof.registry import Modelled
 from omniproof.transcription.loader import load_paper
 from omniproof.transcription.model import Kind
 
 SEEDS = (1, 2, 3)
-OURS = "omniproof.papers.ballbot"
 Vector = list[Any]
 
 # Plain numbers: matrices multiplied out, and bodies that move
@@ -175,10 +171,7 @@ def test_every_formula_of_the_paper_is_compared(root: Path) -> None:
     loaded = load_paper(root / "paper_data" / "ballbot")
     kinds = {Kind.IDENTITY, Kind.VALUE}
     claims = {claim.id for claim in loaded.claims if claim.kind in kinds}
-    compared = {REGISTRY.derivations[claim].build for claim in FORMULAS}
-    left = {claim for claim in claims - set(FORMULAS)
-            if REGISTRY.derivations[claim].build not in compared}  # fmt: skip
-    assert left == set()
+    assert uncompared(REGISTRY, claims, FORMULAS) == set()
 
 
 def test_entries_are_those_of_their_matrix() -> None:
@@ -193,49 +186,6 @@ def test_entries_are_those_of_their_matrix() -> None:
 # Altered mechanics: every derivation that rests on it changes
 
 
-def longer_lever(direction: Any, position: Any, body: Any, surface: Any = rolling.REST) -> Any:
-    """The body's lever counts twice."""
-    return direction.dot(body.at(2 * position) - surface.at(position))
-
-
-def clear_caches() -> None:
-    for name, module in list(sys.modules.items()):
-        if name.startswith(OURS):
-            for value in vars(module).values():
-                getattr(value, "cache_clear", lambda: None)()
-
-
-@contextmanager
-def mechanics(speed: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    with monkeypatch.context() as patch:
-        patch.setattr(rolling, "rolling_speed", speed)
-        clear_caches()
-        yield
-    clear_caches()
-
-
-def leaves(derived: Any) -> Iterator[Any]:
-    """All expressions of a derived side, premises and proof of a correction included."""
-    match derived:
-        case Modelled():
-            yield from leaves((derived.mechanics, derived.premises))
-        case Relation():
-            yield from leaves((derived.subject, derived.premises or ()))
-            yield from leaves(tuple(step.subject for step in derived.proof))
-        case Family():
-            yield derived.expression
-        case MatrixBase() | tuple():
-            yield from (leaf for value in derived for leaf in leaves(value))
-        case _:
-            yield derived
-
-
-def values(claim: str) -> list[str]:
-    point = random_point(5)
-    return [digits(leaf, point) if isinstance(leaf, Expr) else str(leaf)
-            for leaf in leaves(build(claim))]  # fmt: skip
-
-
 MECHANICS = {
     "motion_by_frames", "motors_and_body", "matrix", "inverse", "wheel_speeds",
     "determinant_of_law", "bracket_of_rolling", "bracket_of_rolling_again",
@@ -246,19 +196,8 @@ SPEEDS = {"eq:7", "eq:8", "eq:9"}
 LEVERS = {f"eq:10[{k},3]" for k in (1, 2, 3)} | {f"eq:10/inverse[3,{k}]" for k in (1, 2, 3)}
 
 
-@pytest.fixture(scope="module")
-def before() -> Mapping[str, list[str]]:
-    clear_caches()
-    return {claim: values(claim) for claim in REGISTRY.derivations}
-
-
 def test_what_rests_on_mechanics_changes_with_the_rolling_constraint(
-    before: Mapping[str, list[str]], monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    with mechanics(longer_lever, monkeypatch):
-        changed = {claim for claim in before if values(claim) != before[claim]}
-    resting = {
-        claim for claim, derivation in REGISTRY.derivations.items()
-        if derivation.build.__name__ in MECHANICS
-    }  # fmt: skip
-    assert changed == resting | SPEEDS | LEVERS
+    resting = {claim for claim in REGISTRY.derivations if functions(REGISTRY, [claim]) <= MECHANICS}
+    assert changed(REGISTRY, build, [longer_lever], monkeypatch) == resting | SPEEDS | LEVERS

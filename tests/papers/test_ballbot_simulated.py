@@ -5,16 +5,31 @@ import pytest
 
 from omniproof.papers.ballbot.simulated import (
     ANGLES_DEG,
+    LAWS,
     SIDES,
+    TURNING,
     TURNS,
+    deepest,
     laws_in_simulation,
     least_margin,
     turns_in_simulation,
 )
 
-MOVING = {"share": 0.9, "rolling_error": 0.001, "printed_error": 0.1, "margin": 100.0}
-MOVING_MORE = {"share": 0.91, "rolling_error": 0.0025, "printed_error": 0.09, "margin": 36.0}
-TURNING = {"yaw_rate": 0.1, "spin": -0.3, "law_yaw_rate": 0.401}
+MOVING = {
+    "share": 0.9,
+    "sinking": 7.6e-5,
+    "rolling_error": 0.001,
+    "printed_error": 0.1,
+    "margin": 100.0,
+}
+MOVING_MORE = {
+    "share": 0.91,
+    "sinking": 1.21e-4,
+    "rolling_error": 0.0025,
+    "printed_error": 0.09,
+    "margin": 36.0,
+}
+TURNED = {"yaw_rate": 0.1, "spin": -0.3, "law_yaw_rate": 0.401}
 
 
 def long(cases, model="ballbot"):
@@ -31,8 +46,8 @@ def summary():
     places = [f"{side}-{angle}" for side in SIDES for angle in ANGLES_DEG]
     moving = {f"{place}-along-x": MOVING for place in places}
     more = {"on-top-30-mixed": MOVING_MORE}
-    held = {"on-top-45-turning-floor-torsion": TURNING | {"yaw_rate": 0.4, "spin": -1e-9}}
-    turning = dict.fromkeys(TURNS, TURNING) | held
+    held = {"on-top-45-turning-floor-torsion": TURNED | {"yaw_rate": 0.4, "spin": -1e-9}}
+    turning = dict.fromkeys(TURNS, TURNED) | held
     others = long({"inside-30-along-x": {"margin": 1.0, "share": 0.0}}, "omni-robot")
     return pd.concat([others, long(moving | more | turning)])
 
@@ -44,12 +59,18 @@ def test_worst_numbers_of_each_set_up(summary):
     assert rows[0] == ["inside the ball", "30°", "0.900", "0.866", "0.10%", "10.0%", "100"]
     assert rows[3] == ["on top of it", "30°", "0.900 to 0.910", "0.866", "0.25%", "9.0%", "36"]
     assert least_margin(summary) == "36"
+    assert deepest(summary) == "0.12 mm"
 
 
 def test_which_body_turns(summary):
     point, _, held = turns_in_simulation(summary)
     assert point == ["inside, point of contact", "0.100", "\N{MINUS SIGN}0.300", "0.400", "0.401"]
     assert held[1:] == ["0.400", "0.000", "0.400", "0.401"]
+
+
+def test_heads_fit_their_tables(summary):
+    assert {len(row) for row in laws_in_simulation(summary)} == {len(LAWS)}
+    assert {len(row) for row in turns_in_simulation(summary)} == {len(TURNING)}
 
 
 def test_numbers_without_the_ballbot_are_an_error():

@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
 from row_rules import check_rows
+from verdict_table import audited, edited, shown, turned, verdict
 
 from omniproof.audit.ledger import Ledger, Row
-from omniproof.audit.run import audit_paper
+
+PAPER = "omni-arrangement"
 
 # Verdicts: each with the reason, worked out by hand
-
-
-def verdict(row: str, found: str, reason: str, **fields: str) -> Any:
-    return pytest.param(row, {"verdict": found, **fields}, id=f"{row}: {reason}")
-
 
 MINUS = r"\sin \alpha_1 - \sin \alpha_2"
 EXPECTED = [
@@ -127,22 +122,16 @@ EXPECTED = [
 ]  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def rows(omni_arrangement: Ledger) -> dict[str, Row]:
-    return {row.id: row for row in omni_arrangement.rows}
-
-
 @pytest.mark.parametrize(("row", "fields"), EXPECTED)
 def test_verdicts(row: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
-    found = rows[row].model_dump(mode="json")
-    assert {name: found[name] for name in fields} == fields
+    assert shown(rows[row], fields) == fields
 
 
 # What holds for every row
 
 
-def test_every_row_shows_what_its_verdict_needs(omni_arrangement: Ledger) -> None:
-    check_rows(omni_arrangement)
+def test_every_row_shows_what_its_verdict_needs(ledger: Ledger) -> None:
+    check_rows(ledger)
 
 
 def test_both_rows_of_a_contradiction_name_each_other(rows: dict[str, Row]) -> None:
@@ -154,32 +143,18 @@ def test_both_rows_of_a_contradiction_name_each_other(rows: dict[str, Row]) -> N
 # Altered print: exactly the right rows turn
 
 
-@pytest.fixture(scope="module")
-def turned(
-    root: Path, rows: dict[str, Row], tmp_path_factory: pytest.TempPathFactory
-) -> dict[str, tuple[str, str]]:
-    """Verdicts before and after one entry of Eq. (6) and one cell of Table 2 are altered."""
-    folder = tmp_path_factory.mktemp("altered") / "omni-arrangement"
-    shutil.copytree(root / "paper_data" / "omni-arrangement", folder)
-    replace_once(folder / "paper.yaml", r"\sin(\alpha_2 - \alpha_3) & -\sin(\alpha_3 - \alpha_1) &",
-                 r"\sin(\alpha_2 - \alpha_3) & -\cos(\alpha_3 - \alpha_1) &")  # fmt: skip
-    replace_once(folder / "table-2.csv", "Y,4.00,", "Y,4.01,")
-    after = {row.id: row for row in audit_paper(folder).rows}
-    assert after.keys() == rows.keys()
-    return {name: (row.verdict.value, after[name].verdict.value)
-            for name, row in rows.items() if row != after[name]}  # fmt: skip
-
-
-def replace_once(file: Path, old: str, new: str) -> None:
-    text = file.read_text(encoding="utf-8")
-    assert text.count(old) == 1
-    file.write_text(text.replace(old, new), encoding="utf-8")
-
-
 def test_one_altered_entry_and_one_altered_cell_turn_their_own_rows_only(
-    turned: dict[str, tuple[str, str]],
+    paper_folder: Path, rows: dict[str, Row], tmp_path: Path
 ) -> None:
-    assert turned == {
+    """All other rows stay as they are, in every field."""
+    edits = (
+        ("paper.yaml", r"\sin(\alpha_2 - \alpha_3) & -\sin(\alpha_3 - \alpha_1) &",
+         r"\sin(\alpha_2 - \alpha_3) & -\cos(\alpha_3 - \alpha_1) &"),
+        ("table-2.csv", "Y,4.00,", "Y,4.01,"),
+    )  # fmt: skip
+    after = audited(edited(paper_folder, tmp_path, *edits))
+    assert turned(rows, after) == {
         "eq:6[3,2]": ("verified", "erratum"),
         "tab:2[Y,D_V]": ("verified", "misrounded"),
     }
+    assert {name for name in after if after[name] != rows[name]} == {"eq:6[3,2]", "tab:2[Y,D_V]"}

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import by_hand
 import pytest
-from altered import broken_speed, clear_caches, mechanics, swapped_speed
-from at_points import CLOSE, Point, digits, random_point, same
+from altered import broken_speed, changed, functions, swapped_speed
+from at_points import CLOSE, Point, random_point, same, uncompared
 from by_hand import cross, degrees, length
 from mpmath import cos, det, inverse, matrix, mpf, pi, sin, sqrt
-from sympy import Expr, MatrixBase
 
+from omniproof.kinematics import omni
 from omniproof.papers.omni_arrangement.derivations import REGISTRY
-from omniproof.registry import Family, Obligation, Relation
+from omniproof.registry import Family, Relation
 from omniproof.transcription.loader import load_paper
 from omniproof.transcription.model import Kind
 
 SEEDS = (1, 2, 3)
-OURS = "omniproof.papers.omni_arrangement"
 
 # Formulas
 
@@ -154,10 +153,7 @@ def test_every_formula_of_the_paper_is_compared(root: Path) -> None:
     loaded = load_paper(root / "paper_data" / "omni-arrangement")
     claims = {claim.id for claim in loaded.claims
               if claim.kind is Kind.IDENTITY and not claim.uncheckable}  # fmt: skip
-    compared = {REGISTRY.derivations[claim].build for claim in FORMULAS}
-    left = {claim for claim in claims - set(FORMULAS)
-            if REGISTRY.derivations[claim].build not in compared}  # fmt: skip
-    assert left == {"tab:1[3]", "tab:1[6]"}
+    assert uncompared(REGISTRY, claims, FORMULAS) == {"tab:1[3]", "tab:1[6]"}
 
 
 # The three types
@@ -250,35 +246,6 @@ def test_the_least_member_of_the_isosceles_family(
 # Altered mechanics: every derivation that rests on it changes
 
 
-def leaves(derived: Any) -> Iterator[Any]:
-    """All expressions of a derived side, its proof of a correction included."""
-    match derived:
-        case Relation():
-            yield from leaves(derived.subject)
-            for obligation in derived.proof:
-                yield from leaves(obligation)
-        case Obligation():
-            yield from leaves(derived.subject)
-        case Family():
-            yield derived.expression
-        case Mapping():
-            yield from (leaf for value in derived.values() for leaf in leaves(value))
-        case MatrixBase() | tuple() | list():
-            yield from (leaf for value in derived for leaf in leaves(value))
-        case _:
-            yield derived
-
-
-def values(claim: str) -> list[str]:
-    """Numbers that a derivation gives at a random point; conditions as they are."""
-    point = random_point(5)
-    try:
-        found = list(leaves(build(claim)))
-    except (ValueError, ZeroDivisionError, TypeError, IndexError) as error:
-        return [f"fails: {error}"]
-    return [digits(leaf, point) if isinstance(leaf, Expr) else str(leaf) for leaf in found]
-
-
 VECTORS = "a lemma on any vectors"
 MATRICES = "a lemma on any matrix that has an inverse"
 ARCS = "defined by the position angles alone"
@@ -308,18 +275,8 @@ WITHOUT_MECHANICS = {
 """Functions that stay as they are by their nature, with the reason."""
 
 
-@pytest.fixture(scope="module")
-def before() -> dict[str, list[str]]:
-    clear_caches(OURS)
-    return {claim: values(claim) for claim in REGISTRY.derivations}
-
-
 def test_what_rests_on_mechanics_changes_with_the_rolling_constraint(
-    before: dict[str, list[str]], monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    unchanged = set(REGISTRY.derivations)
-    for speed in (broken_speed, swapped_speed):
-        with mechanics(speed, OURS, monkeypatch):
-            unchanged -= {claim for claim in unchanged if values(claim) != before[claim]}
-    functions = {REGISTRY.derivations[claim].build.__name__ for claim in unchanged}
-    assert functions == set(WITHOUT_MECHANICS)
+    turned = changed(REGISTRY, build, (broken_speed, swapped_speed), monkeypatch, home=omni)
+    assert functions(REGISTRY, set(REGISTRY.derivations) - turned) == set(WITHOUT_MECHANICS)

@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 import pytest
 from row_rules import check_rows
+from verdict_table import Edit, edited, shown, verdict
 
 from omniproof.audit.attribution import attribute
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Ledger, Row
-from omniproof.audit.run import audit_paper, prepare_to_judge
+from omniproof.audit.run import prepare_to_judge
 from omniproof.papers.omni_trajectory.derivations.simulation import PRINTED_ERRORS
 from omniproof.papers.omni_trajectory.setup import CIRCLES, LINES, RADII, ROLLER_RADIUS
 from omniproof.transcription.loader import load_paper
 
+PAPER = "omni-trajectory"
+
 # Verdicts: each with the reason, worked out by hand
-
-
-def verdict(row: str, found: str, reason: str, **fields: str) -> Any:
-    return pytest.param(row, {"verdict": found, **fields}, id=f"{row}: {reason}")
-
 
 SPEED = "tab:2[V]"
 EXPECTED = [
@@ -135,20 +131,9 @@ EXPECTED = [
 ]  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def ledger(root: Path) -> Ledger:
-    return audit_paper(root / "paper_data" / "omni-trajectory")
-
-
-@pytest.fixture(scope="module")
-def rows(ledger: Ledger) -> dict[str, Row]:
-    return {row.id: row for row in ledger.rows}
-
-
 @pytest.mark.parametrize(("row", "fields"), EXPECTED)
 def test_verdicts(row: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
-    found = rows[row].model_dump(mode="json")
-    assert {name: found[name] for name in fields} == fields
+    assert shown(rows[row], fields) == fields
 
 
 def test_every_row_shows_what_its_verdict_needs(ledger: Ledger) -> None:
@@ -181,10 +166,9 @@ def test_solved_speed(rows: dict[str, Row]) -> None:
     assert (33.0 - 1.835) / 1.5 / rpm == pytest.approx(0.0500417, abs=1e-7)
 
 
-def test_what_is_drawn_and_judged_is_what_the_tables_print(root: Path) -> None:
+def test_what_is_drawn_and_judged_is_what_the_tables_print(paper_folder: Path) -> None:
     """The set-up module repeats printed numbers: these are they."""
-    claims = {claim.id: claim for claim in
-              load_paper(root / "paper_data" / "omni-trajectory").claims}  # fmt: skip
+    claims = {claim.id: claim for claim in load_paper(paper_folder).claims}
     for table, cases in ((3, CIRCLES), (4, LINES)):
         for case in cases:
             name = case.name.rstrip("°")
@@ -201,20 +185,13 @@ def test_what_is_drawn_and_judged_is_what_the_tables_print(root: Path) -> None:
 
 # Altered print: exactly the right rows turn
 
-Edit = tuple[str, str, str]
 CELLS = "table-4.csv"
 JUDGED = ("tab:", "eq:16", "sec:3.2/", "xref:sec-3-2")
 """What is judged anew; the other claims have nothing to do with the edits."""
 
 
-def altered(folder: Path, root: Path, *edits: Edit) -> Mapping[str, Row]:
-    copy = folder / "omni-trajectory"
-    shutil.copytree(root / "paper_data" / "omni-trajectory", copy)
-    for name, old, new in edits:
-        text = (copy / name).read_text(encoding="utf-8")
-        assert text.count(old) == 1
-        (copy / name).write_text(text.replace(old, new), encoding="utf-8")
-    context = prepare_to_judge(copy)
+def judged(paper: Path) -> Mapping[str, Row]:
+    context = prepare_to_judge(paper)
     found = [row for claim in context.loaded.claims if claim.id.startswith(JUDGED)
              for row in judge_claim(claim, context)]  # fmt: skip
     return {row.id: row for row in attribute(found, context)}
@@ -236,16 +213,16 @@ TURNED = [
 
 @pytest.mark.parametrize(("edit", "row", "found"), TURNED)
 def test_one_edit_turns_its_own_row(
-    edit: Edit, row: str, found: str, rows: dict[str, Row], root: Path, tmp_path: Path
+    edit: Edit, row: str, found: str, rows: dict[str, Row], paper_folder: Path, tmp_path: Path
 ) -> None:
-    after = altered(tmp_path, root, edit)
+    after = judged(edited(paper_folder, tmp_path, edit))
     turned = {name for name in after if after[name].verdict != rows[name].verdict}
     assert turned == {row}
     assert after[row].verdict == found
 
 
-def test_a_mended_premise_leaves_nothing_to_follow(root: Path, tmp_path: Path) -> None:
+def test_a_mended_premise_leaves_nothing_to_follow(paper_folder: Path, tmp_path: Path) -> None:
     edit = TURNED[4].values[0]
     assert isinstance(edit, tuple)
-    after = altered(tmp_path, root, edit)
+    after = judged(edited(paper_folder, tmp_path, edit))
     assert SPEED not in {row.follows for row in after.values()}

@@ -3,28 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import by_hand
 import pytest
-from altered import broken_speed, clear_caches, mechanics, swapped_speed
-from at_points import Point, digits, random_point, same
+from altered import broken_speed, changed, functions, swapped_speed
+from at_points import Point, random_point, same, uncompared
 from by_hand import degrees
 from mpmath import atan2, cos, inverse, matrix, mp, mpf, odefun, pi, sin, sqrt
-from sympy import Expr, Function, Integral, MatrixBase, Rational, Symbol
+from sympy import Expr, Function, Integral, Rational, Symbol
 from sympy import cos as exact_cos
 
-from omniproof.audit.integrals import without_integrals
+from omniproof.kinematics import omni
 from omniproof.papers.omni_trajectory.derivations import REGISTRY
 from omniproof.papers.omni_trajectory.derivations.simulation import SETUP
-from omniproof.registry import Curve, Family, Fit, Relation
+from omniproof.registry import Fit
 from omniproof.transcription.loader import load_paper
 from omniproof.transcription.model import Kind
 
 SEEDS = (1, 2, 3)
-OURS = "omniproof.papers.omni_trajectory"
 ANGLES = degrees(30, 150, 270)
 Vector = list[Any]
 
@@ -115,8 +114,7 @@ def test_every_formula_and_number_of_the_paper_is_compared(root: Path) -> None:
     loaded = load_paper(root / "paper_data" / "omni-trajectory")
     claims = {claim.id for claim in loaded.claims if not claim.uncheckable
               and claim.kind in {Kind.IDENTITY, Kind.VALUE}}  # fmt: skip
-    compared = {REGISTRY.derivations[claim].build for claim in (*FORMULAS, *OF_TIME)}
-    left = {claim for claim in claims if REGISTRY.derivations[claim].build not in compared}
+    left = uncompared(REGISTRY, claims, (*FORMULAS, *OF_TIME))
     inputs = {claim for claim in left if claim[:5] in {"tab:3", "tab:4"}}
     assert left - inputs == {"tab:2[V]", "sec:3.2/speed-circular", "sec:3.2/speed-linear"}
     assert len(inputs) == 18
@@ -209,34 +207,6 @@ def test_inputs(claim: str, rpm: float) -> None:
 # Altered mechanics: every derivation that rests on it changes
 
 
-def leaves(derived: Any) -> Iterator[Any]:
-    """All expressions of a derived side."""
-    match derived:
-        case Relation():
-            yield from leaves((derived.subject, *(step.subject for step in derived.proof)))
-        case Family():
-            yield derived.expression
-        case Curve():
-            yield from derived.coordinates
-        case Fit():
-            yield derived.value
-        case MatrixBase() | tuple():
-            yield from (leaf for value in derived for leaf in leaves(value))
-        case _:
-            yield derived
-
-
-def values(claim: str) -> list[str]:
-    """Numbers at a random point; of unknown functions of time, in symbols for them."""
-    point = random_point(5)
-    try:
-        found = list(leaves(build(claim)))
-    except (ValueError, ZeroDivisionError) as error:
-        return [f"fails: {error}"]
-    in_symbols = (without_integrals(leaf, leaf)[0] for leaf in found)
-    return [digits(leaf, point) if isinstance(leaf, Expr) else str(leaf) for leaf in in_symbols]
-
-
 WITHOUT_MECHANICS = {
     **dict.fromkeys(("degrees_of_freedom", "number_of_wheels"), "counts rows or columns"),
     **dict.fromkeys(("sides", "across_radius", "outside_the_first_quadrant"),
@@ -256,18 +226,8 @@ WITHOUT_MECHANICS = {
 """Functions that stay as they are by their nature, with the reason."""
 
 
-@pytest.fixture(scope="module")
-def before() -> Mapping[str, list[str]]:
-    clear_caches(OURS)
-    return {claim: values(claim) for claim in REGISTRY.derivations}
-
-
 def test_what_rests_on_mechanics_changes_with_the_rolling_constraint(
-    before: Mapping[str, list[str]], monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    unchanged = set(REGISTRY.derivations)
-    for altered in (broken_speed, swapped_speed):
-        with mechanics(altered, OURS, monkeypatch):
-            unchanged -= {claim for claim in unchanged if values(claim) != before[claim]}
-    functions = {REGISTRY.derivations[claim].build.__name__ for claim in unchanged}
-    assert functions == set(WITHOUT_MECHANICS)
+    turned = changed(REGISTRY, build, (broken_speed, swapped_speed), monkeypatch, home=omni)
+    assert functions(REGISTRY, set(REGISTRY.derivations) - turned) == set(WITHOUT_MECHANICS)

@@ -20,6 +20,7 @@ NUMBERS = {
     "sum_of_slips": 0.5,
     "share": 0.25,
     "slip_1": 0.125,
+    "slip_2": 0.125,
     "grip_1": 1.0,
     "grip_2": 0.3,
     "grip_3": 1.0,
@@ -55,8 +56,9 @@ def test_two_rollers_beside_theory() -> None:
 
 def test_the_ladder_of_creeps() -> None:
     rows = simulated.creeps(long({("three-30-17-creep-100-mm", "error_dry"): 0.08}))
-    assert [row[0] for row in rows] == ["1000", "300", "100", "30", "10", "3", "1"]
-    assert rows[2] == ["100", "0.200", "0.080", "0.800"]
+    assert [row[0] for row in rows] == ["1000", "300", "100", "30", "10", "3", *["1"] * 3]
+    assert [row[1] for row in rows[-3:]] == ["1", "0.5", "0.25"]
+    assert rows[2] == ["100", "1", "0.200", "0.080", "0.800"]
     assert all(len(row) == len(simulated.LADDER) for row in rows)
 
 
@@ -68,6 +70,11 @@ def test_the_least_margin_is_that_of_three_dry_rollers() -> None:
         ("two-10-dry", "error_dry"): 0.1,
     }
     assert simulated.margin(long(changes)) == "40"
+
+
+def test_the_heavier_roller() -> None:
+    found = simulated.heavier(long({("two-30-dry-heavier", "slip_2"): 1.05}))
+    assert found == {"slip_1": "0.125", "slip_2": "1.050", "grip_1": "1.000"}
 
 
 def test_numbers_without_the_sphere_are_an_error() -> None:

@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
 from row_rules import check_rows
+from verdict_table import audited, edited, shown, turned, verdict
 
 from omniproof.audit.ledger import Ledger, Row
-from omniproof.audit.run import audit_paper
 
 PAPER = "three-roller-sphere"
 DRIVEN = "sec:2.1/driven-direction"
 
 # Verdicts: each with the reason, worked out by hand
-
-
-def verdict(row: str, found: str, reason: str, **fields: str) -> Any:
-    return pytest.param(row, {"verdict": found, **fields}, id=f"{row}: {reason}")
-
 
 EXPECTED = [
     verdict("sec:1/equator", "conditional",
@@ -85,21 +78,9 @@ EXPECTED = [
 ]  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def ledger(root: Path) -> Ledger:
-    """Return the ledger of the paper as it stands in the repository."""
-    return audit_paper(root / "paper_data" / PAPER)
-
-
-@pytest.fixture(scope="module")
-def rows(ledger: Ledger) -> dict[str, Row]:
-    return {row.id: row for row in ledger.rows}
-
-
 @pytest.mark.parametrize(("row", "fields"), EXPECTED)
 def test_verdicts(row: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
-    found = rows[row].model_dump(mode="json")
-    assert {name: found[name] for name in fields} == fields
+    assert shown(rows[row], fields) == fields
 
 
 def test_every_row_shows_what_its_verdict_needs(ledger: Ledger) -> None:
@@ -127,17 +108,12 @@ EDITS = {
 }
 
 
-def test_altered_cells_turn_and_no_others(root: Path, rows: dict[str, Row], tmp_path: Path) -> None:
-    shutil.copytree(root / "paper_data" / PAPER, tmp_path / PAPER)
-    file = tmp_path / PAPER / "paper.yaml"
-    text = file.read_text(encoding="utf-8")
-    for old, new in EDITS.items():
-        assert text.count(old) == 1, old
-        text = text.replace(old, new)
-    file.write_text(text, encoding="utf-8")
-    after = {row.id: row for row in audit_paper(tmp_path / PAPER).rows}
-    turned = {name: after[name] for name, row in rows.items() if row.verdict != after[name].verdict}
-    assert {name: row.verdict.value for name, row in turned.items()} == {
+def test_altered_cells_turn_and_no_others(
+    paper_folder: Path, rows: dict[str, Row], tmp_path: Path
+) -> None:
+    edits = [("paper.yaml", old, new) for old, new in EDITS.items()]
+    after = audited(edited(paper_folder, tmp_path, *edits))
+    assert {name: found for name, (_, found) in turned(rows, after).items()} == {
         "eq:7/x-0": "erratum",
         "eq:9/d-5": "erratum",
         "eq:10/c-4": "erratum",
@@ -147,5 +123,5 @@ def test_altered_cells_turn_and_no_others(root: Path, rows: dict[str, Row], tmp_
         "sec:3/minimum-4": "verified",
         "sec:3/maximum-4": "misrounded",
     }
-    assert turned["eq:9/d-5"].correction == r"D_5 = C_5 - \frac{C_4 C_6}{2C_1}"
-    assert "+ 2C_4 D_8 E_3" in turned["eq:7/x-0"].correction
+    assert after["eq:9/d-5"].correction == r"D_5 = C_5 - \frac{C_4 C_6}{2C_1}"
+    assert "+ 2C_4 D_8 E_3" in after["eq:7/x-0"].correction

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import pytest
-from at_points import Point, digits, number, random_point, same
+from altered import changed, longer_lever
+from at_points import Point, number, random_point, same
 from by_hand import cross, length
 from mpmath import atan, cos, mpf, pi, radians, sin, tan
 from sphere_by_hand import (
@@ -23,17 +22,15 @@ from sphere_by_hand import (
     scaled,
     slip,
 )
-from sympy import Expr, MatrixBase, rad
+from sympy import Expr, rad
 
 from omniproof.kinematics import rolling
 from omniproof.kinematics.frames import UNIT
 from omniproof.papers.two_roller_sphere import symmetric
 from omniproof.papers.two_roller_sphere.arrangement import DIRECTION
 from omniproof.papers.two_roller_sphere.derivations import REGISTRY
-from omniproof.registry import Curve, Family, Ordered, Relation
 
 SEEDS = (1, 2, 3)
-OURS = "omniproof.papers.two_roller_sphere"
 POSITIVE = ("r", "V", "k_0", "d_1", "d_2", "delta")
 
 # Plain numbers: rigid bodies, and least squares
@@ -241,63 +238,10 @@ def test_the_plane_of_spins_stands_upright_at_38_96_degrees() -> None:
 # Altered mechanics: every derivation that rests on it changes
 
 
-def longer_lever(direction: Any, position: Any, body: Any, surface: Any = rolling.REST) -> Any:
-    """The body's lever counts twice."""
-    return direction.dot(body.at(2 * position) - surface.at(position))
-
-
 def lagging_lever(direction: Any, position: Any, body: Any, surface: Any = rolling.REST) -> Any:
     """The body's lever leans sideways, but not on the ground below the centre."""
     lean = position + UNIT["z"].cross(position)
     return direction.dot(body.at(lean) - surface.at(position))
-
-
-def clear_caches() -> None:
-    for name, module in list(sys.modules.items()):
-        if name.startswith(OURS):
-            for value in vars(module).values():
-                getattr(value, "cache_clear", lambda: None)()
-
-
-@contextmanager
-def mechanics(speed: Callable[..., Any], monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    with monkeypatch.context() as patch:
-        patch.setattr(rolling, "rolling_speed", speed)
-        clear_caches()
-        yield
-    clear_caches()
-
-
-def leaves(derived: Any) -> Iterator[Any]:
-    """All expressions of a derived side, proof of a correction included."""
-    match derived:
-        case Relation():
-            yield from leaves(derived.subject)
-            yield from leaves(tuple(step.subject for step in derived.proof))
-        case Family():
-            yield derived.expression
-        case Curve():
-            yield from derived.coordinates
-        case Ordered():
-            yield from derived.terms
-        case MatrixBase() | tuple() | list():
-            yield from (leaf for value in derived for leaf in leaves(value))
-        case Mapping():
-            yield from derived.values()
-        case _:
-            yield derived
-
-
-def values(claim: str) -> list[str]:
-    at = point(5)
-    return [digits(leaf, at) if isinstance(leaf, Expr) else str(leaf)
-            for leaf in leaves(build(claim))]  # fmt: skip
-
-
-@pytest.fixture(scope="module")
-def before() -> Mapping[str, list[str]]:
-    clear_caches()
-    return {claim: values(claim) for claim in REGISTRY.derivations}
 
 
 GEOMETRY = {
@@ -322,10 +266,7 @@ ZEROS = {
 
 
 def test_what_rests_on_mechanics_changes_with_the_rolling_constraint(
-    before: Mapping[str, list[str]], monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    changed = set()
-    for law in (longer_lever, lagging_lever):
-        with mechanics(law, monkeypatch):
-            changed |= {claim for claim in before if values(claim) != before[claim]}
-    assert changed == set(before) - GEOMETRY - GIVEN - ZEROS
+    turned = changed(REGISTRY, build, (longer_lever, lagging_lever), monkeypatch, point=point)
+    assert turned == set(REGISTRY.derivations) - GEOMETRY - GIVEN - ZEROS

@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
-from typing import Any
 
 import pytest
 from row_rules import check_rows
+from verdict_table import audited, edited, shown, turned, verdict
 
 from omniproof.audit.ledger import Ledger, Row
-from omniproof.audit.run import audit_paper
 from omniproof.transcription.loader import load_paper
 
+PAPER = "two-roller-sphere"
+
 # Verdicts: each with the reason, worked out by hand
-
-
-def verdict(row: str, found: str, reason: str, **fields: str) -> Any:
-    return pytest.param(row, {"verdict": found, **fields}, id=f"{row}: {reason}")
-
 
 ELEVATION = "sec:3/elevation"
 NOT_OPPOSITE = r"0 < \epsilon < \pi \text{ or } \pi < \epsilon < 2 \pi"
@@ -103,20 +98,9 @@ EXPECTED = [
 ]  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def ledger(root: Path) -> Ledger:
-    return audit_paper(root / "paper_data" / "two-roller-sphere")
-
-
-@pytest.fixture(scope="module")
-def rows(ledger: Ledger) -> dict[str, Row]:
-    return {row.id: row for row in ledger.rows}
-
-
 @pytest.mark.parametrize(("row", "fields"), EXPECTED)
 def test_verdicts(row: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
-    found = rows[row].model_dump(mode="json")
-    assert {name: found[name] for name in fields} == fields
+    assert shown(rows[row], fields) == fields
 
 
 def test_every_row_shows_what_its_verdict_needs(ledger: Ledger) -> None:
@@ -129,9 +113,9 @@ def test_nothing_else_is_wrong(rows: dict[str, Row]) -> None:
     assert faults <= listed
 
 
-def test_no_verdict_rests_on_a_reconstruction_alone(root: Path) -> None:
+def test_no_verdict_rests_on_a_reconstruction_alone(paper_folder: Path) -> None:
     """A reference to a lost display is read from the text around it."""
-    claims = load_paper(root / "paper_data" / "two-roller-sphere").claims
+    claims = load_paper(paper_folder).claims
     lost = {claim.id.partition("/")[0] for claim in claims if claim.source == "lost"}
     assert lost
     assert [c.id for c in claims if c.target and c.target.partition("/")[0] in lost] == []
@@ -155,25 +139,6 @@ def test_a_lost_display_is_shown_with_its_argument_and_never_decided(
 # Altered print: exactly the right rows turn
 
 
-@pytest.fixture(scope="module")
-def turned(
-    root: Path, rows: dict[str, Row], tmp_path_factory: pytest.TempPathFactory
-) -> dict[str, tuple[str, str]]:
-    """Verdicts before and after some displays are altered."""
-    folder = tmp_path_factory.mktemp("altered") / "two-roller-sphere"
-    shutil.copytree(root / "paper_data" / "two-roller-sphere", folder)
-    file = folder / "paper.yaml"
-    text = file.read_text(encoding="utf-8")
-    for old, new in ALTERATIONS:
-        assert text.count(old) == 1, old
-        text = text.replace(old, new)
-    file.write_text(text, encoding="utf-8")
-    after = {row.id: row for row in audit_paper(folder).rows}
-    assert after.keys() == rows.keys()
-    return {name: (row.verdict.value, after[name].verdict.value)
-            for name, row in rows.items() if row.verdict != after[name].verdict}  # fmt: skip
-
-
 ALTERATIONS = (
     (r"\mathbf{e} \rangle + \nu_i", r"\mathbf{e} \rangle - \nu_i"),
     (r"'d_1^2 + d_1^2'", r"'d_1^2 + d_2^2'"),
@@ -186,9 +151,12 @@ ALTERATIONS = (
 )
 
 
-def test_exactly_what_was_altered_turns(turned: dict[str, tuple[str, str]]) -> None:
+def test_exactly_what_was_altered_turns(
+    paper_folder: Path, rows: dict[str, Row], tmp_path: Path
+) -> None:
     """A reconstruction that mechanics contradicts is a defect of ours, and no verdict."""
-    assert turned == {
+    edits = [("paper.yaml", old, new) for old, new in ALTERATIONS]
+    assert turned(rows, audited(edited(paper_folder, tmp_path, *edits))) == {
         "eq:26": ("erratum", "verified"),
         "app:A/sum-of-squares": ("erratum", "verified"),
         "eq:3": ("verified", "erratum"),

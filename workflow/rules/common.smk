@@ -126,6 +126,11 @@ def mutation_of(chapter):
     return ["results/mutation.json"] if chapter == "findings" else []
 
 
+def simulation_of(chapter):
+    """Return the numbers of the simulations, for the chapter that shows them."""
+    return ["results/simulation/summary.csv"] if chapter == "simulation" else []
+
+
 def reported(kind, paper, numbers, files):
     """Enter the tables or figures of a paper in Snakemake's report, with caption and labels."""
 

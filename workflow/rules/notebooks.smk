@@ -2,13 +2,14 @@
 This part of the workflow runs the chapters of the report.
 
 REQUIRED INPUTS:
-    source   = notebooks/{chapter}.md
-    ledgers  = results/ledger/{paper}.json
-    theorems = results/theorems.json
-    mutation = results/mutation.json
-    tables   = results/tables/{paper}/table-{number}.csv
-    figures  = results/figures/{paper}/figure-{number}.svg
-    abouts   = results/figures/{paper}/figures.json
+    source     = notebooks/{chapter}.md
+    ledgers    = results/ledger/{paper}.json
+    theorems   = results/theorems.json
+    mutation   = results/mutation.json
+    simulation = results/simulation/summary.csv
+    tables     = results/tables/{paper}/table-{number}.csv
+    figures    = results/figures/{paper}/figure-{number}.svg
+    abouts     = results/figures/{paper}/figures.json
 
 OUTPUTS:
     chapter = results/notebooks/{chapter}.ipynb
@@ -22,6 +23,7 @@ rule notebook:
         ledgers=lambda wildcards: ledgers_of(*papers_of(wildcards.chapter)),
         theorems="results/theorems.json",
         mutation=lambda wildcards: mutation_of(wildcards.chapter),
+        simulation=lambda wildcards: simulation_of(wildcards.chapter),
         tables=lambda wildcards: tables_of(*papers_of(wildcards.chapter)),
         figures=lambda wildcards: figures_of(*told_in(wildcards.chapter)),
         abouts=lambda wildcards: abouts_of(*told_in(wildcards.chapter)),

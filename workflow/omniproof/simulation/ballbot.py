@@ -212,7 +212,7 @@ def case_of(side: str, angle_deg: float, input_name: str, **more: float) -> Case
     """Name a case: `inside-45-along-x`, with the words of unusual parameters behind."""
     name = "-".join([side, f"{angle_deg:g}", input_name, *(one.replace("_", "-") for one in more)])
     speeds = {f"speed_{k}": speed for k, speed in enumerate(INPUTS[input_name], start=1)}
-    usual = {field.name: field.default for field in fields(Ballbot)[2:]}
+    usual = {field.name: getattr(Ballbot, field.name) for field in fields(Ballbot)[2:]}
     angle = {"zenith_angle_deg": float(angle_deg)}
     return Case("ballbot", name, {"side": side, **angle, **speeds, **usual, **more})
 

@@ -10,11 +10,13 @@ does. The slip where one goes over into the other, creep = mu N R / b, is the pa
 far above all slips the contact is viscous with one coefficient for all rollers, far below them it
 is Coulomb's, rounded off where a roller sticks.
 
-What to avoid, by measurement. MuJoCo's contact model couples normal force and slip: with its own
-stiff default a roller that slides at 0.5 m/s is thrown off in each step and flies for the next
-twenty. Mean forces are right, but the sphere's spin jitters by 0.03 rad/s. No contact is lost while
-the normal compliance can bear what friction asks for, N R_n > mu b s; so contacts here are soft
-(`GIVE`) and friction answers slowly (`RATE`). The time constant `SETTLE` keeps them shallow still.
+What to avoid, by measurement. MuJoCo's contact model couples normal force and slip: a stiff contact
+that slides throws its roller off. This sphere with three rollers at 30 degrees and MuJoCo's default
+contacts (step 1 ms) is touched 30 % of the time, jitters by 0.05 rad/s, and its mean spin is 0.11
+from the dry one; with contacts of 2 ms it is nearer to least squares (0.08) than to the dry spin
+(0.26), and looks viscous. No contact is lost while the normal compliance can bear what friction
+asks for, N R_n > mu b s; so contacts here are soft (`GIVE`) and friction answers slowly (`RATE`).
+The time constant `SETTLE` keeps them shallow still.
 """
 
 from __future__ import annotations

@@ -22,13 +22,32 @@ TURNS = {
 
 TURN_RATES = ["yaw_rate", "spin", "law_yaw_rate"]
 
+LAWS = (
+    "platform",
+    r"zenith angle $\phi$",
+    "speed by (10) / of ball",
+    r"$\cos\phi$",
+    "error of rolling, at most",
+    "error of (10), at least",
+    "ratio of errors, at least",
+)
+"""Heads of `laws_in_simulation`."""
+
+TURNING = (
+    "platform",
+    "yaw rate of platform, rad/s",
+    "spin of ball, rad/s",
+    "difference, rad/s",
+    "difference by both laws, rad/s",
+)
+"""Heads of `turns_in_simulation`."""
+
 
 def laws_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
     """Which law the ball obeys, by set-up and zenith angle, over all inputs that move it.
 
-    Each row: set-up; zenith angle; speed by (10) over that of the ball, least and greatest; its
-    cosine; greatest error of the law of rolling and least one of (10), as shares of the speed; the
-    least margin between them.
+    Each row has what `LAWS` names; errors are shares of the ball's speed, and that speed's own
+    share is shown from the least to the greatest.
     """
     numbers = _by_case(summary)
     rows = []
@@ -45,11 +64,7 @@ def laws_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
 
 
 def turns_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
-    """Which body turns when all wheels have one speed, in rad/s.
-
-    Each row: set-up; yaw rate of the platform; spin of the ball; their difference; what both laws
-    say of it.
-    """
+    """Which body turns when all wheels have one speed; columns as in `TURNING`."""
     rates = _by_case(summary).loc[list(TURNS), TURN_RATES].to_numpy(dtype=np.float64)
     rows = []
     for words, (yaw_rate, spin, law) in zip(TURNS.values(), rates, strict=True):
@@ -60,6 +75,11 @@ def turns_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
 def least_margin(summary: pd.DataFrame) -> str:
     """How many times as far off as the law of rolling Eq. (10) is, in the case that favours it."""
     return f"{_by_case(summary)['margin'].min():.0f}"
+
+
+def deepest(summary: pd.DataFrame) -> str:
+    """How much deeper the platform sits than on a hard, smooth ball, in the worst case."""
+    return f"{1000 * _by_case(summary)['sinking'].max():.2f} mm"
 
 
 def _by_case(summary: pd.DataFrame) -> pd.DataFrame:

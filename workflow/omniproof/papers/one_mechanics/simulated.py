@@ -6,6 +6,8 @@ chapters show what was recorded and simulate nothing.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from itertools import product
 from math import cos, radians, sin, sqrt, tan
 
 import pandas as pd
@@ -15,11 +17,13 @@ PHASES_DEG = (17, 55)
 TILTS_DEG = (0, 10, 20, 30)
 
 CREEPS = {
-    1000: "three-30-17-viscous",
-    **{mm: f"three-30-17-creep-{mm}-mm" for mm in (300, 100, 30, 10, 3)},
-    1: "three-30-17-dry",
+    "three-30-17-viscous": (1000, "1"),
+    **{f"three-30-17-creep-{mm}-mm": (mm, "1") for mm in (300, 100, 30, 10, 3)},
+    "three-30-17-dry": (1, "1"),
+    "three-30-17-dry-step-500-us": (1, "0.5"),
+    "three-30-17-dry-step-250-us": (1, "0.25"),
 }
-"""Cases that differ in the creep (mm/s) only."""
+"""Cases that differ in the creep (mm/s) and the step (ms) only."""
 
 HALF_BETWEEN = sqrt((1 + cos(radians(60)) ** 2 * cos(radians(110)) + sin(radians(60)) ** 2) / 2)
 """Cosine of half the angle between the two contacts, at azimuths 110 degrees apart."""
@@ -48,7 +52,7 @@ PAIR = (
 )
 """Heads of `two_rollers`: spins in rad/s, slips in m/s; dry: share of the way between the lines."""
 
-LADDER = ("creep, mm/s", "off least squares", "off the dry theorem", "over the creep")
+LADDER = ("creep, mm/s", "step, ms", "off least squares", "off the dry theorem", "over the creep")
 """Heads of `creeps`: spins in rad/s, the last column in 1/m."""
 
 
@@ -59,8 +63,8 @@ def three_rollers(summary: pd.DataFrame) -> list[list[str]]:
     for elevation in ELEVATIONS_DEG:
         sine = sin(radians(elevation))
         for phase in PHASES_DEG:
-            viscous = numbers.loc[f"three-{elevation}-{phase}-viscous"]
-            dry = numbers.loc[f"three-{elevation}-{phase}-dry"]
+            viscous = numbers[f"three-{elevation}-{phase}-viscous"]
+            dry = numbers[f"three-{elevation}-{phase}-dry"]
             held = min(dry[f"grip_{number}"] for number in (1, 2, 3))
             found = [viscous["error_least_squares"], viscous["circle_radius"], 1 / (1 + sine**2)]
             found += [dry[name] for name in ("error_dry", "error_least_squares", "circle_radius")]
@@ -74,8 +78,8 @@ def two_rollers(summary: pd.DataFrame) -> list[list[str]]:
     numbers = _by_case(summary)
     rows = []
     for tilt in TILTS_DEG:
-        viscous = numbers.loc[f"two-{tilt}-viscous"]
-        rest, turning = (numbers.loc[f"two-{tilt}-dry{start}"] for start in ("", "-from-far"))
+        viscous = numbers[f"two-{tilt}-viscous"]
+        rest, turning = (numbers[f"two-{tilt}-dry{start}"] for start in ("", "-from-far"))
         slip = HALF_BETWEEN * tan(radians(tilt))
         found = [viscous["error_least_squares"], viscous["slip_1"], slip]
         # Lines that meet have no way between them.
@@ -88,25 +92,35 @@ def creeps(summary: pd.DataFrame) -> list[list[str]]:
     """One set-up from viscous to dry; `LADDER`."""
     numbers = _by_case(summary)
     rows = []
-    for creep, case in CREEPS.items():
-        off = [float(numbers.loc[case, name]) for name in ("error_least_squares", "error_dry")]
-        rows.append([str(creep), *map(_short, (*off, 1000 * off[1] / creep))])
+    for case, (creep, step) in CREEPS.items():
+        off = [numbers[case][name] for name in ("error_least_squares", "error_dry")]
+        rows.append([str(creep), step, *map(_short, (*off, 1000 * off[1] / creep))])
     return rows
 
 
 def margin(summary: pd.DataFrame) -> str:
     """By how much dry friction is farther from least squares than from its theorem, at least."""
     numbers = _by_case(summary)
-    dry = numbers[numbers.index.str.fullmatch(r"three-\d+-\d+-dry")]
-    return f"{(dry['error_least_squares'] / dry['error_dry']).min():.0f}"
+    cases = (f"three-{place[0]}-{place[1]}-dry" for place in product(ELEVATIONS_DEG, PHASES_DEG))
+    dry = [numbers[case] for case in cases]
+    return f"{min(case['error_least_squares'] / case['error_dry'] for case in dry):.0f}"
 
 
-def _by_case(summary: pd.DataFrame) -> pd.DataFrame:
-    """One row a case of the sphere, one column a quantity; raises `KeyError` without any."""
+def heavier(summary: pd.DataFrame) -> Mapping[str, str]:
+    """Numbers of the case in which roller 1 bears more: slips in m/s, friction over its limit."""
+    found = _by_case(summary)["two-30-dry-heavier"]
+    return {name: _short(found[name]) for name in ("slip_1", "slip_2", "grip_1")}
+
+
+def _by_case(summary: pd.DataFrame) -> Mapping[str, Mapping[str, float]]:
+    """Quantities by case of the sphere; raises `KeyError` without any."""
     own = summary[summary["model"] == "sphere"]
     if own.empty:
         raise KeyError("no simulation of the sphere among the numbers")
-    return own.pivot(index="case", columns="quantity", values="value")
+    found: dict[str, dict[str, float]] = {}
+    for case, quantity, value in zip(own["case"], own["quantity"], own["value"], strict=True):
+        found.setdefault(case, {})[quantity] = float(value)
+    return found
 
 
 def _short(value: float) -> str:
