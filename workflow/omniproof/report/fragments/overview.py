@@ -15,6 +15,7 @@ from omniproof.report.fragments.base import (
     Fragment,
     Href,
     badge,
+    corrigendum_link,
     results_folder,
     table,
 )
@@ -171,7 +172,8 @@ def paper_html(ledger: Ledger, edition: Edition) -> str:
     numbers = f"{ledger.claims} claims, {len(ledger.rows)} rows."
     return (
         f'<section class="paper"><p>{_titled(ledger.paper, edition)}<br>'
-        f'<span class="quiet">{escape(about)} {numbers}</span></p>{bar_html(ledger)}</section>'
+        f'<span class="quiet">{escape(about)} {numbers}</span></p>{bar_html(ledger)}'
+        f'<p class="quiet">{corrigendum_link(ledger.paper)}</p></section>'
     )
 
 
