@@ -55,6 +55,8 @@ def small_results(folder: Path) -> Path:
     for name, fragments in pages.items():
         write_notebook(folder / "notebooks" / f"{name}.ipynb", name, *fragments)
     (folder / "ledger.csv").write_text("paper\n")
+    (folder / "corrigenda").mkdir()
+    (folder / "corrigenda" / "omni-arrangement.pdf").write_text("a corrigendum\n")
     return folder
 
 

@@ -13,7 +13,7 @@ from sympy import Expr
 
 from omniproof.audit.theorems import UnprovedError, prove
 from omniproof.kinematics import rolling
-from omniproof.papers.ballbot.answers import speeds_by_zenith_angle
+from omniproof.papers.ballbot.answers import best_zenith_angle, speeds_by_zenith_angle
 from omniproof.papers.ballbot.figures import FIGURES
 from omniproof.papers.ballbot.theorems import THEOREMS
 from omniproof.report.figure import points
@@ -182,3 +182,8 @@ def test_theorems_fail_where_the_surface_stands_still(
     monkeypatch.setattr(rolling, "rolling_speed", still_surface)
     with pytest.raises(UnprovedError):
         prove(BY_ID[name])
+
+
+def test_best_angle_by_hand() -> None:
+    """3/2 cos^2 = 3 sin^2: the tangent is 1/sqrt(2), half the angle between two faces of a tetrahedron."""
+    assert best_zenith_angle() == f"{math.degrees(math.acos(1 / 3) / 2):.2f}°"

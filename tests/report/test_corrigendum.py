@@ -12,6 +12,8 @@ from pypdf import PdfReader
 from omniproof.audit.ledger import Ledger, Row
 from omniproof.report.corrigendum import corrigendum, place
 from omniproof.report.corrigendum_pdf import pages, pdf, source
+from omniproof.report.fragments import Chapter
+from omniproof.report.fragments.overview import paper_html
 from omniproof.transcription.model import Edition
 
 EDITION = Edition(
@@ -174,3 +176,8 @@ def test_what_a_paper_prints_is_never_run(printed: str) -> None:
     rows = (row("eq:1", printed=printed, correction=printed, note=printed, consequence="text"),)
     text = source(corrigendum(Ledger(paper="p", claims=1, rows=rows), EDITION), 1)
     assert typst.compile(text.encode(), format="pdf", ignore_system_fonts=True)
+
+
+def test_chapter_and_first_page_lead_to_it(chapter: Chapter, ledger: Ledger, outline: type) -> None:
+    for html in (chapter.counts().html, paper_html(ledger, EDITION)):
+        assert "corrigenda/omni-arrangement.pdf" in outline(html).links

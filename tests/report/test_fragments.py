@@ -240,7 +240,7 @@ def test_a_paper_is_named_with_edition_counts_and_verdicts(
     )
     text = outline(html).text
     assert text.startswith(f"On <wheels>A. One, B. Two. {printed} 11 claims, 16 rows.✓ 7")
-    assert outline(html).links == ["p.html"]
+    assert outline(html).links == ["p.html", "corrigenda/p.pdf"]
 
 
 def test_counts_add_up(overview: Overview) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from omniproof.audit.ledger import Ledger
 from omniproof.report.fragments import Chapter, Overview
-from omniproof.report.validate import InvalidBookError, validate_book
+from omniproof.report.validate import InvalidBookError, Page, validate_book
 
 CHAPTER = "omni-arrangement.html"
 
@@ -26,6 +26,9 @@ def html(tmp_path: Path, chapter: Chapter, overview: Overview, results: Path) ->
         body = "".join(fragment.html for fragment in fragments)
         (tmp_path / name).write_text(f"<title>x</title><main>{body}</main>", encoding="utf-8")
     shutil.copytree(results / "figures", tmp_path / "figures")
+    (tmp_path / "corrigenda").mkdir()
+    for name in ("ledger.csv", "corrigenda/omni-arrangement.pdf"):
+        (tmp_path / name).write_bytes(b"")
     return tmp_path
 
 
@@ -140,10 +143,61 @@ def test_all_faults_are_named_at_once(html: Path, ledger: Ledger) -> None:
 
 def test_a_figure_that_is_not_shown_is_named(html: Path, ledger: Ledger) -> None:
     drawing = Path("results/figures/omni-arrangement/figure-6.svg")
-    with pytest.raises(InvalidBookError, match="omni-arrangement/figure-6.svg: no page shows it"):
+    with pytest.raises(InvalidBookError, match=r"omni-arrangement/figure-6\.svg: no page shows it"):
         validate_book(html, [ledger], [drawing])
 
 
 def test_links_to_other_sites_are_allowed(html: Path, ledger: Ledger) -> None:
     replaced(CHAPTER, "</main>", '<a href="https://doi.org/x">x</a></main>')(html)
     validate_book(html, [ledger])
+
+
+def test_a_page_that_is_too_large_is_named(html: Path, ledger: Ledger) -> None:
+    replaced(CHAPTER, "</main>", f"<!--{' ' * 1_500_000}--></main>")(html)
+    with pytest.raises(InvalidBookError, match=rf"{CHAPTER}: has \d+ bytes, more than 1500000"):
+        validate_book(html, [ledger])
+
+
+@pytest.mark.parametrize(
+    ("prose", "numbers"),
+    [
+        pytest.param("<p>the angle is 35.26°, or 1/5</p>", ["35.26°", "1/5"], id="typed"),
+        pytest.param('<p>at <span class="given">30°</span></p>', [], id="a choice"),
+        pytest.param('<p>of <span class="value">9 <b>7</b></span> rows</p>', [], id="computed"),
+        pytest.param(
+            "<p>Eqs. (5-1), (5-2) and (6-2), Tables 3 and 4, Section 2.1, (A,3), [9]</p>",
+            [],
+            id="labels",
+        ),
+        pytest.param("<p>z3, in 3D, SHA-256</p>", [], id="names"),
+        pytest.param(
+            "<p>x<br>2 <code>3</code> <img src='x'> 4</p>", ["2", "4"], id="void elements"
+        ),
+        pytest.param('<div class="cell"><div><p>5</p></div></div>6', ["6"], id="made by a cell"),
+        pytest.param('<p><span class="math">\\(7\\)</span></p>', [], id="formula"),
+        pytest.param("<h2>Simulation 2</h2><p>after 8 s</p>", ["8"], id="heading"),
+    ],
+)
+def test_numbers_that_are_typed(prose: str, numbers: list[str]) -> None:
+    page = Page(
+        "x.html", f"<title>1</title><nav>2</nav><article class='bd-article'>{prose}</article>3"
+    )
+    assert list(page.prose.typed_numbers()) == numbers
+
+
+def test_a_typed_number_is_a_fault(html: Path, ledger: Ledger) -> None:
+    replaced(CHAPTER, "</main>", "</main><article class='bd-article'>about 17 m</article>")(html)
+    with pytest.raises(InvalidBookError, match=r"a typed number: 17 \(mark a choice"):
+        validate_book(html, [ledger])
+
+
+def test_the_sums_over_all_papers_are_checked(html: Path, ledger: Ledger) -> None:
+    replaced(
+        "index.html",
+        'data-paper="all" data-verdict="all">16',
+        'data-paper="all" data-verdict="all">17',
+    )(html)
+    with pytest.raises(
+        InvalidBookError, match=r"index\.html: all, all: shows 17, the ledger has 16"
+    ):
+        validate_book(html, [ledger])

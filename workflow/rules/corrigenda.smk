@@ -2,27 +2,28 @@
 This part of the workflow typesets what can be sent to the authors of each paper.
 
 REQUIRED INPUTS:
-    ledger = results/ledger/{paper}.json
-    data   = paper_data/{paper}/*
-    layout = workflow/omniproof/report/corrigendum.typ
+    ledgers = results/ledger/{paper}.json
+    data    = paper_data/{paper}/paper.yaml
+    layout  = workflow/omniproof/report/corrigendum.typ
 
 OUTPUTS:
-    pdf = results/corrigenda/{paper}.pdf
+    pdfs = results/corrigenda/{paper}.pdf
 """
 
 
+# One step for all papers: they are typeset faster than a step starts.
 rule corrigendum:
-    """Typeset the corrigendum of {wildcards.paper}"""
+    """Typeset a corrigendum of every paper"""
     input:
-        ledger="results/ledger/{paper}.json",
-        data=lambda wildcards: paper_data(wildcards.paper),
+        ledgers=ledgers_of(*settings.papers),
+        data=[f"paper_data/{paper}/paper.yaml" for paper in settings.papers],
         layout="workflow/omniproof/report/corrigendum.typ",
         package=package("report.corrigendum_pdf", "report.fragments.overview"),
     output:
-        pdf="results/corrigenda/{paper}.pdf",
+        pdfs=corrigenda_of(*settings.papers),
     log:
-        "logs/corrigendum/{paper}.log",
+        "logs/corrigendum.log",
     benchmark:
-        "results/benchmarks/corrigendum/{paper}.tsv"
+        "results/benchmarks/corrigendum.tsv"
     script:
         "../scripts/corrigendum.py"

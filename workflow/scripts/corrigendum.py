@@ -1,4 +1,4 @@
-"""Typeset the corrigendum of one paper."""
+"""Typeset a corrigendum of every paper."""
 
 from pathlib import Path
 
@@ -9,6 +9,7 @@ from omniproof.report.fragments.overview import read_edition
 from omniproof.report.step import step
 
 with step(snakemake) as output:
-    ledger = read_json(Path(snakemake.input.ledger))
-    edition = read_edition(Path("paper_data") / snakemake.wildcards.paper)
-    output.pdf.write_bytes(pdf(corrigendum(ledger, edition)))
+    for path, file in zip(snakemake.input.ledgers, output.pdfs, strict=True):
+        ledger = read_json(Path(path))
+        edition = read_edition(Path("paper_data") / ledger.paper)
+        file.write_bytes(pdf(corrigendum(ledger, edition)))

@@ -17,8 +17,8 @@ import typst
 from omniproof.audit.ledger import Consequence, Row
 from omniproof.report.anchors import anchor, index
 from omniproof.report.corrigendum import Corrigendum, Item, place
+from omniproof.report.fragments.base import sentences
 from omniproof.report.fragments.claims import symbol_latex
-from omniproof.report.latexfmt import CLAIM
 from omniproof.report.theme import MARKS
 from omniproof.report.typstmath import cell, contrasted, inline, is_formula, math, words
 from omniproof.transcription.model import Kind
@@ -170,9 +170,7 @@ def _reason(item: Item) -> str:
     told = _RELATIVE.sub("", lead.note) if lead.kind is not Kind.IDENTITY else ""
     if item.is_contradiction:
         told = told.partition(" differs from ")[0]
-    if told and not CLAIM.match(told):
-        told = told[0].upper() + told[1:]
-    reason = inline(told, _refer) if told else _counterexample(lead)
+    reason = inline(sentences(told), _refer) if told else _counterexample(lead)
     if lead.follows and lead.follows not in {row.id for row in item.rows}:
         return f"{reason} {inline(f'Follows from {lead.follows}.', _refer)}"
     return reason

@@ -15,9 +15,10 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
-from omniproof.audit.ledger import Ledger
+from omniproof.audit.ledger import Ledger, Verdict
 from omniproof.report.anchors import unique_anchors
-from omniproof.report.fragments.counts import verdict_counts
+from omniproof.report.fragments.counts import ALL, verdict_counts
+from omniproof.report.prose import Prose
 
 _MARKERS = re.compile(r"\{(?:glue|ref|eq|cite|numref|doc)[^}]*\}`|\[\?\]|\?\?|Unexecuted inline")
 _CSS_URL = re.compile(r"(?:url\(\s*['\"]?|@import\s+['\"])((?:https?:)?//[^'\")\s]+)")
@@ -26,6 +27,10 @@ _FETCHED = {"script": "src", "img": "src", "link": "href", "iframe": "src", "sou
             "video": "src", "audio": "src", "object": "data", "embed": "src", "image": "href",
             "use": "href"}  # fmt: skip
 _NO_REQUEST = frozenset({"canonical", "search", "index", "next", "prev", "author", "copyright"})
+
+
+LARGEST = 1_500_000
+"""Bytes of the largest page: what a phone lays out without a wait."""
 
 
 class InvalidBookError(Exception):
@@ -59,6 +64,8 @@ class Page(HTMLParser):
         self.figures: list[Figure] = []
         self.counts: dict[tuple[str, str], list[str]] = {}
         self.words: list[str] = []
+        self.prose = Prose()
+        self.size = len(text.encode())
         self._open: list[str] = []
         self._figure: tuple[str, str, list[str]] | None = None
         self._count: tuple[str, str] | None = None
@@ -68,6 +75,7 @@ class Page(HTMLParser):
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         """Note ids, links, requests, figures and counts."""
         found = {name: value or "" for name, value in attrs}
+        self.prose.enter(tag, found)
         if tag in _RAW:
             self._open.append(tag)
         if "id" in found:
@@ -98,6 +106,7 @@ class Page(HTMLParser):
 
     def handle_endtag(self, tag: str) -> None:
         """Close what was noted."""
+        self.prose.leave(tag)
         if self._open and self._open[-1] == tag:
             self._open.pop()
         if tag == "figure" and self._figure is not None:
@@ -109,6 +118,7 @@ class Page(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         """Note running text and counts."""
+        self.prose.add(data)
         if self._count is not None:
             self.counts.setdefault(self._count, []).append(data.strip())
         if not self._open:
@@ -126,6 +136,7 @@ def validate_book(html: Path, ledgers: Sequence[Ledger], figures: Iterable[Path]
         for path in sorted(html.glob("*.html"))
     }
     faults = [
+        *_sum_faults(pages.get("index.html"), ledgers),
         *(fault for ledger in ledgers for fault in _chapter_faults(pages, ledger)),
         *(fault for path in figures for fault in _shown_faults(pages, path)),
         *(fault for page in pages.values() for fault in _page_faults(html, page, pages)),
@@ -151,6 +162,15 @@ def _chapter_faults(pages: dict[str, Page], ledger: Ledger) -> Iterator[str]:
             yield from _count_faults(shown, ledger.paper, expected)
 
 
+def _sum_faults(index: Page | None, ledgers: Sequence[Ledger]) -> Iterator[str]:
+    """The sums over all papers, where the first page shows them."""
+    if index is None or (ALL, "all") not in index.counts:
+        return
+    total = sum(map(verdict_counts, ledgers), Counter[Verdict]())
+    expected = {str(verdict): number for verdict, number in total.items()}
+    yield from _count_faults(index, ALL, expected | {"all": sum(total.values())})
+
+
 def _count_faults(page: Page, paper: str, expected: dict[str, int]) -> Iterator[str]:
     for verdict, number in expected.items():
         shown = page.counts.get((paper, verdict), [])
@@ -168,6 +188,10 @@ def _shown_faults(pages: dict[str, Page], drawing: Path) -> Iterator[str]:
 
 
 def _page_faults(html: Path, page: Page, pages: dict[str, Page]) -> Iterator[str]:
+    if page.size > LARGEST:
+        yield f"{page.name}: has {page.size} bytes, more than {LARGEST}"
+    for number in page.prose.typed_numbers():
+        yield f"{page.name}: a typed number: {number} (mark a choice: [{number}]{{.given}})"
     yield from (f"{page.name}: the id {i} occurs {n} times" for i, n in _repeated(page.ids))
     yield from (f"{page.name}: an image without alt text: {src}" for src in
                 page.pictures_without_alt)  # fmt: skip

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
-from sympy import Rational, pi
+import math
+
+from sympy import Interval, Rational, pi, solveset
 
 from omniproof.kinematics.omni import twist_matrix
-from omniproof.papers.ballbot.laws import BALL_RADIUS, PHI, RUNNING_RADIUS, at_rest, rolling
+from omniproof.papers.ballbot.laws import BALL_RADIUS, PHI, RUNNING_RADIUS, at_rest, gram, rolling
 
 ANGLES_DEG = (15, 30, 45, 60, 75, 90, 135)
 WALL = Rational(9, 10)
 """Zenith angles (degrees) of the table, and L / rho of a ball with a wall."""
 
 NEVER = "–"
+
+
+def best_zenith_angle() -> str:
+    """Zenith angle (degrees) of wheels that move a thin rolling ball equally well in all ways."""
+    squares = gram(rolling(), BALL_RADIUS).subs({BALL_RADIUS: 1, RUNNING_RADIUS: 1})
+    (angle,) = solveset(squares[0, 0] - squares[2, 2], PHI, Interval(0, pi / 2))
+    return f"{math.degrees(float(angle)):.2f}°"
 
 
 def speeds_by_zenith_angle() -> list[list[str]]:

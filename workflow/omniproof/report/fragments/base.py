@@ -53,6 +53,11 @@ def results_folder(start: Path | None = None) -> Path:
     raise FileNotFoundError("no folder results/ledger here or above: run `make` first")
 
 
+def corrigendum_link(paper: str) -> str:
+    """Return the link to what can be sent to the authors of a paper."""
+    return f'<a href="corrigenda/{escape(paper)}.pdf">Corrigendum for the authors (PDF)</a>'
+
+
 def badge(verdict: Verdict, count: str = "") -> str:
     """Return the sign of a verdict: shape, word and colour (and a count such as `1 of 9`)."""
     mark = MARKS[verdict]
@@ -78,8 +83,12 @@ def link(claim_id: str, href: Href) -> str:
 
 def note_html(note: str, href: Href) -> str:
     """Return a note as a sentence; claims that it names become links."""
-    sentences = _SENTENCE.sub(lambda found: found[0].upper(), note)
-    return inline(sentences, lambda claim: link(claim, href))
+    return inline(sentences(note), lambda claim: link(claim, href))
+
+
+def sentences(note: str) -> str:
+    """Return a note with a capital at the start of each sentence that starts with a word."""
+    return _SENTENCE.sub(lambda found: found[0].upper(), note)
 
 
 def interval_html(row: Row) -> str:

@@ -13,7 +13,13 @@ from omniproof.audit.ledger import Ledger, Row, Verdict, read_json
 from omniproof.report.anchors import anchor, base, selects
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.addresses import Addresses
-from omniproof.report.fragments.base import Fragment, link, results_folder, table
+from omniproof.report.fragments.base import (
+    Fragment,
+    corrigendum_link,
+    link,
+    results_folder,
+    table,
+)
 from omniproof.report.fragments.claims import group_html, groups
 from omniproof.report.fragments.counts import accounting_html
 from omniproof.report.fragments.figures import drawn_html
@@ -104,8 +110,9 @@ class Chapter:
         return Fragment("".join(theorem_html(t) for t in self.theorems), "theorems")
 
     def counts(self) -> Fragment:
-        """Show the verdicts of this paper as a bar and a table."""
-        return Fragment(accounting_html(self.ledger), "counts")
+        """Show the verdicts of this paper as a bar and a table, and link to its corrigendum."""
+        link_to_pdf = f"<p>{corrigendum_link(self.ledger.paper)}</p>"
+        return Fragment(accounting_html(self.ledger) + link_to_pdf, "counts")
 
     def survives(self) -> Fragment:
         """Show which conclusions stand, which fall with which fault, and what to use instead."""

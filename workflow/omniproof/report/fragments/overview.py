@@ -8,25 +8,24 @@ from html import escape
 from pathlib import Path
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, read_json
-from omniproof.report.anchors import anchor
-from omniproof.report.findings import consequential, findings, sentence, uncheckable_class
+from omniproof.report.findings import REACH, consequential, findings, sentence, uncheckable_class
 from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.assumptions import assumptions_html
 from omniproof.report.fragments.base import (
     Fragment,
     Href,
     badge,
-    link,
-    note_html,
+    corrigendum_link,
     results_folder,
     table,
 )
 from omniproof.report.fragments.counts import bar_html, matrix_html, verdict_counts
+from omniproof.report.fragments.listing import listing_html, place_html, reach_of
 from omniproof.report.fragments.theorems import Theorem, read_theorems
 from omniproof.report.fragments.values import Value
-from omniproof.report.latexfmt import cell, inline, is_latex
+from omniproof.report.latexfmt import inline
 from omniproof.settings import read_settings
-from omniproof.transcription.model import Edition, Kind, Source, Uncheckable
+from omniproof.transcription.model import Edition, Source, Uncheckable
 from omniproof.transcription.paperfile import load_document
 
 DECIDED_BY: Mapping[str, str] = {
@@ -128,30 +127,26 @@ class Overview:
         return Fragment(assumptions_html(self.ledgers, titles, links), "unstated assumptions")
 
     def findings(self, *reach: str) -> Fragment:
-        """Show the findings that reach as far as one of `motion`, `number`, `text`.
+        """Show the findings as one list, those that reach furthest first.
 
-        Findings of which a fault of text recognition would be an explanation are left out.
+        `reach`: only those that reach as far as one of `motion`, `number`, `text`. Findings of
+        which a fault of text recognition would be an explanation are left out.
         """
-        wanted = [Consequence(word) for word in reach]
-        return self._listed(
-            row
-            for row in self._all_findings()
-            if row.source is Source.CLEAR and (row.consequence or Consequence.TEXT) in wanted
-        )
+        wanted = [Consequence(word) for word in reach] or [*REACH]
+        rows = (row for row in self._all_findings() if row.source is Source.CLEAR)
+        return self._listed((row for row in rows if reach_of(row) in wanted), "findings")
 
     def doubtful(self) -> Fragment:
         """Show the findings that a fault of text recognition would explain."""
-        return self._listed(row for row in self._all_findings() if row.source is not Source.CLEAR)
+        rows = (row for row in self._all_findings() if row.source is not Source.CLEAR)
+        return self._listed(rows, "doubtful findings")
 
     def _all_findings(self) -> Iterator[Row]:
         return (row for ledger in self.ledgers for row in findings(ledger))
 
-    def _listed(self, rows: Iterable[Row]) -> Fragment:
-        lines = [_finding(row, self._href(row.paper)) for row in rows]
-        if not lines:
-            return Fragment("<p>None.</p>", "no findings")
-        head = ["place", "printed and correct", "remark"]
-        return Fragment(table(head, lines, "findings"), "findings")
+    def _listed(self, rows: Iterable[Row], name: str) -> Fragment:
+        links = {ledger.paper: self._href(ledger.paper) for ledger in self.ledgers}
+        return Fragment(listing_html(rows, links), name)
 
     def _href(self, paper: str) -> Href:
         """Return how a page of the book links to a claim of a paper."""
@@ -177,7 +172,8 @@ def paper_html(ledger: Ledger, edition: Edition) -> str:
     numbers = f"{ledger.claims} claims, {len(ledger.rows)} rows."
     return (
         f'<section class="paper"><p>{_titled(ledger.paper, edition)}<br>'
-        f'<span class="quiet">{escape(about)} {numbers}</span></p>{bar_html(ledger)}</section>'
+        f'<span class="quiet">{escape(about)} {numbers}</span></p>{bar_html(ledger)}'
+        f'<p class="quiet">{corrigendum_link(ledger.paper)}</p></section>'
     )
 
 
@@ -193,33 +189,5 @@ def _titled(paper: str, edition: Edition) -> str:
     return f'<a href="{escape(paper)}.html"><cite>{escape(edition.title)}</cite></a>'
 
 
-def _place(row: Row) -> str:
-    return f'<a href="{escape(row.paper)}.html#{anchor(row.id)}">{escape(row.where)}</a>'
-
-
 def _named(row: Row) -> str:
-    return f'{_place(row)} <span class="quiet">in {escape(row.paper)}</span>'
-
-
-def _finding(row: Row, href: Href) -> str:
-    follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
-    correct = row.correction or row.derived
-    return (
-        f'<tr class="v-{row.verdict}"><td>{_named(row)}<br>{badge(row.verdict)}</td>'
-        f"<td>{_line(_printed(row), row.printed, href)}{_line('correct', correct, href)}"
-        f"{_line('true when', row.assumption, href)}</td>"
-        f"<td><p>{note_html(row.note, href)}{follows}</p></td></tr>"
-    )
-
-
-def _printed(row: Row) -> str:
-    """Return what the ledger's column `printed` holds of this row: print, or what it says."""
-    said = row.kind in {Kind.RELATION, Kind.REFERENCE} and not is_latex(row.printed)
-    return "states" if said else "printed"
-
-
-def _line(word: str, text: str, href: Href) -> str:
-    if not text:
-        return ""
-    shown = cell(text, lambda claim: link(claim, href))
-    return f'<p class="line"><span class="quiet">{word}</span> {shown}</p>'
+    return f'{place_html(row)} <span class="quiet">in {escape(row.paper)}</span>'
