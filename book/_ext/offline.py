@@ -7,6 +7,7 @@ extensions on demand, and a missing one costs the mathematics of a whole page).
 from __future__ import annotations
 
 import importlib.util
+import re
 from pathlib import Path
 from typing import Any
 
@@ -49,9 +50,16 @@ def _is_thebe(file: Any) -> bool:
     return "sphinx-thebe" in str(getattr(file, "filename", file)) or "THEBE_JS_URL" in str(body)
 
 
+def mend_roles(app: Sphinx, page: str, template: str, context: dict[str, Any], tree: Any) -> None:
+    """Take roles off the bibliography: docutils promises a list there and puts no items into it."""
+    if 'class="citation-list"' in context.get("body", ""):
+        context["body"] = re.sub(r' role="(?:list|doc-biblioentry)"', "", context["body"])
+
+
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register with Sphinx."""
     app.connect("config-inited", use_bundle)
     app.connect("html-page-context", drop_thebe, priority=900)
+    app.connect("html-page-context", mend_roles)
     app.connect("build-finished", copy_bundle)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -183,8 +183,8 @@ def row_html(
             f'<div class="claim-head">{head}</div>{note}{facts}</article>'
         )
     if row.verdict.is_fault:
-        head += f'<span class="remark">{note_html(row.note, href)}</span>'
-        note = ""
+        # No links: what opens and closes must not hold anything else to press. They are inside.
+        head += f'<span class="remark">{note_html(row.note, lambda _: None)}</span>'
     return (
         f'<details class="claim v-{row.verdict}"{address}>'
         f"<summary>{head}</summary>{note}{facts}</details>"

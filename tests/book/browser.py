@@ -1,0 +1,114 @@
+"""What a browser sees of one page of the report, over http or from disk."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import Any
+
+from axe_playwright_python.sync_playwright import Axe
+from playwright.sync_api import Page
+
+PHONE, DESK = 360, 1280
+USUAL = ("[PST]", "[togglebutton]")  # what the theme tells the console on every page
+
+_LOOK = """() => {
+  const all = (query) => [...document.querySelectorAll(query)];
+  const text = (element) => element.textContent.slice(0, 80);
+  return {
+    width: document.documentElement.scrollWidth,
+    formulas: all("mjx-container").length,
+    errors: all("[data-mjx-error], [data-mml-node=merror], mjx-merror").map(text),
+    bare: all(".math").filter((e) => !e.querySelector("mjx-container")).map(text),
+  };
+}"""
+# axe takes minutes for a chapter. Shapes of letters and lines have no text of their own; of cards
+# and rows that look alike, the first ones stand for the rest.
+_PLAIN = """(mode) => {
+  const seen = {};
+  for (const e of document.querySelectorAll(".claims > *, table tbody > tr")) {
+    const kind = `${e.parentElement.parentElement.className} ${e.className}`;
+    seen[kind] = (seen[kind] || 0) + 1;
+    if (seen[kind] > 8) e.remove();
+  }
+  for (const e of document.querySelectorAll(".math, figure.drawn svg")) e.replaceChildren();
+  const still = document.createElement("style");
+  still.textContent = "* { transition: none !important; }";
+  document.head.append(still);
+  document.documentElement.dataset.theme = mode;
+}"""
+
+
+@dataclass(frozen=True)
+class Sight:
+    """One page as a browser shows it; `said`: console, failed and outside requests."""
+
+    width: int
+    formulas: int
+    errors: list[str]
+    bare: list[str]
+    said: list[str]
+
+
+class _Silent(SimpleHTTPRequestHandler):
+    def log_message(self, format: str, *args: Any) -> None:  # noqa: A002 - named by the base class
+        """Say nothing: every request would be a line in the tests' output."""
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """Serve a folder on this machine; give its address."""
+    handler = partial(_Silent, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+
+
+def names(report: Path) -> list[str]:
+    """Return the files of all pages of a report."""
+    return sorted(path.name for path in report.glob("*.html"))
+
+
+def visit(page: Page, address: str) -> None:
+    """Open an address and wait until its formulas are set."""
+    page.goto(address)
+    page.evaluate("() => window.MathJax?.startup?.promise")
+
+
+def look(page: Page, root: str, name: str) -> Sight:
+    """Open one page of the report at `root`; return what is to be seen and heard."""
+    said: list[str] = []
+    page.on("console", lambda m: None if m.text.startswith(USUAL) else said.append(m.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("requestfailed", lambda request: said.append(f"failed: {request.url}"))
+    page.on("response", lambda r: said.append(f"{r.status}: {r.url}") if r.status >= 400 else None)
+    page.on("request", lambda r: None if _inside(r.url, root) else said.append(f"asks: {r.url}"))
+    visit(page, root + name)
+    return Sight(**page.evaluate(_LOOK), said=said)
+
+
+def _inside(address: str, root: str) -> bool:
+    return address.startswith((root, "data:", "blob:"))
+
+
+def barriers(page: Page, mode: str) -> list[str]:
+    """Return what axe-core calls serious or critical on the open page, with one example each.
+
+    `mode`: light or dark. What does not depend on colours is looked for in light mode only.
+    """
+    page.evaluate(_PLAIN, mode)
+    options: dict[str, Any] = {"resultTypes": ["violations"], "preload": False, "iframes": False}
+    if mode == "dark":
+        options["runOnly"] = ["color-contrast"]
+    found = Axe().run(page, options=options).response["violations"]
+    return [
+        f"{fault['id']} ({len(fault['nodes'])}): {fault['nodes'][0]['html'][:120]}"
+        for fault in found
+        if fault["impact"] in {"serious", "critical"}
+    ]
