@@ -37,10 +37,12 @@ def test_data_lies_beside_the_pages(pages: Path) -> None:
 @pytest.mark.parametrize(
     "paper", sorted(p.parent.name for p in ROOT.glob("paper_data/*/paper.yaml"))
 )
-def test_bibliography_has_every_paper(paper: str) -> None:
+def test_bibliography_and_readme_have_every_paper(paper: str) -> None:
     edition = read_edition(ROOT / "paper_data" / paper)
     text = (ROOT / "book" / "references.bib").read_text(encoding="utf-8")
     assert edition.title in text
+    (line,) = (x for x in (ROOT / "README.md").read_text().splitlines() if f"| `{paper}` |" in x)
+    assert f"*{edition.title}*" in line
     assert edition.year is None or f"{{{edition.year}}}" in text
 
 

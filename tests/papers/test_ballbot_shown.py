@@ -185,5 +185,5 @@ def test_theorems_fail_where_the_surface_stands_still(
 
 
 def test_best_angle_by_hand() -> None:
-    """3/2 cos^2 = 3 sin^2: the tangent is 1/sqrt(2), half an angle of the tetrahedron."""
+    """3/2 cos^2 = 3 sin^2: tangent 1/sqrt(2), half the angle between faces of a tetrahedron."""
     assert best_zenith_angle() == f"{math.degrees(math.acos(1 / 3) / 2):.2f}°"

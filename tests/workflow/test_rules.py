@@ -2,9 +2,11 @@
 
 import re
 from fnmatch import fnmatch
+from pathlib import Path
 
 import pytest
 
+from omniproof.settings import module_name, read_settings
 from omniproof.sources import sources
 
 RULE_FILES = [
@@ -164,11 +166,13 @@ def test_what_a_chapter_imports_is_an_input(jobs, root):
         assert sorted(needed - set(files(job, "input"))) == []
 
 
-def test_derivations_belong_to_their_paper(jobs):
+def test_derivations_belong_to_their_paper(jobs, root):
+    """What several papers share, a topic, may be told in any chapter."""
+    settings = read_settings(Path("workflow/config.yaml"), root=root)
+    shared = {module_name(topic) for topic in settings.topics}
     for job in jobs:
         folders = (re.search(r"/papers/([a-z_]+)/", file) for file in files(job, "input"))
-        # What the papers say together is nobody's own.
-        papers = {found[1] for found in folders if found} - {"one_mechanics"}
+        papers = {found[1] for found in folders if found} - shared
         named = f"{job['rule']} {files(job, 'output')}".replace("-", "_")
-        shared = "simulation" in named or job["rule"] in {"theorems", "mutation"}
-        assert shared or all(paper in named for paper in papers)
+        of_all = "simulation" in named or job["rule"] in {"theorems", "mutation"}
+        assert of_all or all(paper in named for paper in papers)

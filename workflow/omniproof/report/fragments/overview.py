@@ -66,13 +66,13 @@ class Overview:
 
     def sources(self) -> Fragment:
         """Show which text of every paper was read, with the checksum of its file."""
-        editions = ((p.paper, read_edition(self.papers_folder / p.paper)) for p in self.ledgers)
+        editions = (read_edition(self.papers_folder / ledger.paper) for ledger in self.ledgers)
         rows = (
-            f'<tr><th scope="row">{escape(paper)}</th><td>{escape(edition.source)}</td>'
+            f'<tr><th scope="row">{escape(edition.source)}</th>'
             f"<td><code>{edition.sha256[:16]}…</code></td></tr>"
-            for paper, edition in editions
+            for edition in editions
         )
-        return Fragment(table(["paper", "text", "SHA-256"], rows, "sources"), "sources")
+        return Fragment(table(["text", "SHA-256"], rows, "sources"), "sources")
 
     def counts(self) -> Fragment:
         """Show how many rows of every paper got which verdict, with the sums."""

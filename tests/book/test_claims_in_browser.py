@@ -1,0 +1,152 @@
+"""What a reader can do with claims: sort and filter findings, copy a formula, dispute a verdict."""
+
+from __future__ import annotations
+
+import importlib.util
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
+from small_report import RESULTS, ROOT
+
+from omniproof.report.book import read_ledgers
+from omniproof.transcription.model import Source
+
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
+COPIED = "navigator.clipboard.writeText = async (text) => { window.copied = text; };"
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    if CHROMIUM is None:
+        pytest.skip("no chromium on this machine")
+    with sync_playwright() as play:
+        found = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        yield found
+        found.close()
+
+
+@pytest.fixture
+def context(browser: Browser) -> Iterator[BrowserContext]:
+    found = browser.new_context(viewport={"width": 1280, "height": 900})
+    found.add_init_script(COPIED)
+    yield found
+    found.close()
+
+
+def opened(context: BrowserContext, small: Path, name: str) -> Page:
+    page = context.new_page()
+    page.set_default_timeout(10_000)
+    page.goto(f"{small.as_uri()}/{name}")
+    page.evaluate("() => window.MathJax?.startup?.promise")
+    return page
+
+
+@pytest.fixture
+def findings(context: BrowserContext, small: Path) -> Page:
+    return opened(context, small, "findings.html")
+
+
+def column(page: Page, number: int) -> list[str]:
+    cells = page.locator(f"table.findings tbody td:nth-child({number})")
+    return [text.strip() for text in cells.all_inner_texts()]
+
+
+def test_findings_are_filtered_by_verdict_and_counted(findings: Page) -> None:
+    everything = column(findings, 3)
+    findings.get_by_label("verdict", exact=True).select_option("erratum")
+    found = column(findings, 3)
+    assert 0 < len(found) < len(everything)
+    assert all(word.endswith("erratum") for word in found)
+    count = f"{len(found)} of {len(everything)} findings"
+    assert findings.locator(".filters [role=status]").inner_text() == count
+    findings.get_by_role("button", name="Show all").click()
+    assert column(findings, 3) == everything
+
+
+def test_filters_work_together_with_words(findings: Page) -> None:
+    findings.get_by_label("kind", exact=True).select_option("identity")
+    findings.get_by_label("words", exact=True).fill("no such word")
+    assert findings.locator(".filters [role=status]").inner_text().startswith("0 of ")
+
+
+def test_heads_sort_by_gravity_and_not_by_the_alphabet(findings: Page) -> None:
+    findings.locator("th", has_text="verdict").click()
+    found = [text.split(maxsplit=1)[-1] for text in column(findings, 3)]
+    gravity = ["erratum", "inconsistent", "model gap", "misrounded", "conditional", "editorial"]
+    places = [gravity.index(word) for word in found]
+    assert places == sorted(places)
+    assert len(set(places)) > 2
+    assert findings.locator("th", has_text="verdict").get_attribute("aria-sort") == "ascending"
+
+
+def test_findings_are_complete_without_a_script(browser: Browser, small: Path) -> None:
+    context = browser.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto((small / "findings.html").as_uri())
+    rows = read_ledgers(RESULTS)[0].rows
+    clear = [row for row in rows if row.verdict.is_fault and row.source is Source.CLEAR]
+    assert len(column(page, 1)) == len(clear)
+    assert page.locator(".filters").count() == 0
+    context.close()
+
+
+def test_a_card_gives_its_formula_to_copy(context: BrowserContext, small: Path) -> None:
+    page = opened(context, small, "omni-arrangement.html#eq-6-1-2")
+    page.get_by_role("button", name="Copy LaTeX: eq:6[1,2]").click()
+    assert page.evaluate("window.copied") == r"\sin \alpha_1 - \sin \alpha_2"
+    page.get_by_role("button", name="Copy SymPy: eq:6[1,2]").click()
+    assert page.evaluate("window.copied") == "-cos(alpha_1) + cos(alpha_3)"  # of the real paper
+    assert page.locator("#eq-6-1-2 [role=status]").inner_text() == "Copied"
+
+
+def test_a_verdict_can_be_disputed(context: BrowserContext, small: Path) -> None:
+    page = opened(context, small, "omni-arrangement.html#eq-6-1-2")
+    page.get_by_role("button", name="Dispute: eq:6[1,2]").click()
+    text = page.get_by_label("text of the issue").input_value()
+    assert text.startswith("Dispute: omni-arrangement eq:6[1,2]\n")
+    assert "Address: omni-arrangement.html#eq-6-1-2" in text
+    assert "Verdict: ✗ erratum" in text
+    assert "Derivation: omniproof/papers/omni_arrangement/derivations/kinematics.py:" in text
+    page.get_by_role("button", name="Copy", exact=True).click()
+    assert page.evaluate("window.copied") == text
+    page.keyboard.press("Escape")
+    assert page.locator("dialog.dispute").count() == 0
+
+
+def test_buttons_come_when_a_card_opens(context: BrowserContext, small: Path) -> None:
+    page = opened(context, small, "omni-arrangement.html")
+    folded = page.locator("details.claim.v-verified").first
+    assert folded.locator(".tools").count() == 0
+    folded.locator("summary").click()
+    folded.locator(".tools").wait_for()
+
+
+def test_the_changed_part_is_marked(context: BrowserContext, small: Path) -> None:
+    page = opened(context, small, "omni-arrangement.html#eq-6-1-2")
+    assert page.locator("#eq-6-1-2 g.changed").count() == 2  # printed, and as it should read
+    assert "becomes" in page.locator("#eq-6-1-2 dl.facts").inner_text()
+
+
+@pytest.fixture(scope="module")
+def tables() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("tables", ROOT / "book" / "_ext" / "tables.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_the_library_becomes_a_classic_script(tables: ModuleType) -> None:
+    script = tables.as_script("var a=1,b=2;export{a as Other,b as default};\n")
+    assert script == "(()=>{var a=1,b=2;window.DataTable=b;\n\n})();\n"
+
+
+@pytest.mark.parametrize("module", ["var a=1;", "var a=1;export{a as Other};"])
+def test_another_bundle_is_refused(tables: ModuleType, module: str) -> None:
+    with pytest.raises(ValueError, match="no default export"):
+        tables.as_script(module)
