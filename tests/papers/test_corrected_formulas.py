@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from omniproof.audit.ledger import Ledger, Row
-from omniproof.audit.run import prepare
+from omniproof.audit.run import audit_paper, prepare
 from omniproof.corrected import FUNCTIONS
 from omniproof.corrected.formula import Formula
 from omniproof.report.anchors import index
@@ -29,10 +29,9 @@ def faulty(ledger: Ledger) -> list[Row]:
     ]
 
 
-@pytest.fixture(params=["ballbot", "omni-arrangement"])
-def ledger(request: pytest.FixtureRequest) -> Ledger:
-    found: Ledger = request.getfixturevalue(request.param.replace("-", "_"))
-    return found
+@pytest.fixture(scope="module", params=["ballbot", "omni-arrangement"])
+def ledger(request: pytest.FixtureRequest, root: Path) -> Ledger:
+    return audit_paper(root / "paper_data" / request.param)
 
 
 def test_every_false_formula_has_a_function(ledger: Ledger) -> None:
