@@ -2,13 +2,13 @@
 
 import json
 from pathlib import Path
-from types import SimpleNamespace
 
 import pandas as pd
 import pytest
 from matplotlib.figure import Figure
 
 from omniproof.report import drawing
+from omniproof.report.figure import Drawing
 from omniproof.settings import read_settings
 
 
@@ -21,21 +21,32 @@ def drawn(frame):
 @pytest.fixture
 def paper(monkeypatch):
     """Return the name of a paper with one figure, number 3."""
-    made = SimpleNamespace(
+    made = Drawing(
         number=3,
         title="A line",
         caption="Drawn from two points.",
-        data=lambda: pd.DataFrame({"x": [0.0, 1.0], "y": [0.1 + 0.2, 1 / 3]}),
+        data=lambda first, last: pd.concat([first, last]),
         draw=drawn,
         describe=lambda frame: f"{len(frame)} points",
+        needs=("first.csv", "simulation/last.csv"),
     )
     monkeypatch.setattr(drawing, "load_figures", lambda paper: {3: made})
     return "one-wheel"
 
 
-def test_files(paper, tmp_path):
-    drawing.write_figures(paper, tmp_path)
-    assert sorted(file.name for file in tmp_path.iterdir()) == [
+@pytest.fixture
+def results(tmp_path):
+    """Return a folder of results with what the drawing needs."""
+    folder = tmp_path / "results"
+    (folder / "simulation").mkdir(parents=True)
+    (folder / "first.csv").write_text("x,y\n0,0.30000000000000004\n")
+    (folder / "simulation/last.csv").write_text(f"x,y\n1,{1 / 3!r}\n")
+    return folder
+
+
+def test_files(paper, results, tmp_path):
+    drawing.write_figures(paper, tmp_path, results)
+    assert sorted(file.name for file in tmp_path.iterdir() if file.is_file()) == [
         "figure-3.csv",
         "figure-3.svg",
         "figures.json",
@@ -47,10 +58,10 @@ def test_files(paper, tmp_path):
     assert 'id="one-wheel-figure-3-' in (tmp_path / "figure-3.svg").read_text()
 
 
-def test_same_bytes(paper, tmp_path):
+def test_same_bytes(paper, results, tmp_path):
     for name in ("one", "two"):
         (tmp_path / name).mkdir()
-        drawing.write_figures(paper, tmp_path / name)
+        drawing.write_figures(paper, tmp_path / name, results)
     pictures = [(tmp_path / name / "figure-3.svg").read_bytes() for name in ("one", "two")]
     assert pictures[0] == pictures[1]
 
@@ -59,3 +70,16 @@ def test_figures_of_every_paper_have_the_numbers_of_the_configuration(root):
     settings = read_settings(Path("workflow/config.yaml"), root=root)
     for paper, made in settings.told.items():
         assert tuple(drawing.load_figures(paper)) == made.pictures
+
+
+def test_what_a_drawing_needs_is_simulated_for_it(root):
+    settings = read_settings(Path("workflow/config.yaml"), root=root)
+    for paper, made in settings.told.items():
+        given = {
+            f"simulation/{model}/{file}.csv"
+            for model in made.models
+            for file in (*settings.simulation[model], "summary")
+        }
+        needed = {file for one in drawing.load_figures(paper).values() for file in one.needs}
+        assert needed <= given
+        assert {file.split("/")[1] for file in needed} == set(made.models)

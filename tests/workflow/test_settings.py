@@ -92,6 +92,13 @@ def test_command_line_comes_first(folder):
             id="no name of a case",
         ),
         pytest.param(
+            "chapters:",
+            "    models: [one-weel]\nsimulation:\n  one-wheel: [slow]\nchapters:",
+            "config.yaml:5:14: papers.one-wheel.models[1]: no cases of one-weel under simulation\n"
+            "    did you mean `one-wheel`?",
+            id="drawings of a model that is not simulated",
+        ),
+        pytest.param(
             "[1, 2]",
             "[1, two, 0]",
             "config.yaml:4:18: papers.one-wheel.figures[2]: "
@@ -170,10 +177,10 @@ def test_topic_has_drawings_and_no_printed_tables(folder):
         read_settings(FILE, root=folder)
 
 
-def test_topic_without_theorems(folder):
+def test_topic_without_theorems_and_figures(folder):
     (folder / FILE).write_text(GOOD.replace("chapters:", "topics:\n  two-wheels: {}\nchapters:"))
     with pytest.raises(
-        BadInput, match="no module theorems in workflow/omniproof/papers/two_wheels"
+        BadInput, match="no module theorems or figures in workflow/omniproof/papers/two_wheels"
     ):
         read_settings(FILE, root=folder)
 

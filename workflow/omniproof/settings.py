@@ -23,11 +23,15 @@ NOTHING: Mapping[str, Any] = {}
 
 
 class TopicSettings(BaseModel):
-    """What is made for a topic of several papers; `drawings` are figures of our own, by name."""
+    """What is made for a topic of several papers; `drawings` are figures of our own, by name.
+
+    `models` are those whose recordings any of the figures shows.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     drawings: tuple[Key, ...] = ()
+    models: tuple[Key, ...] = ()
 
     @property
     def pictures(self) -> tuple[int | str, ...]:
@@ -62,7 +66,7 @@ class MutationSettings(BaseModel):
 class Settings(BaseModel):
     """What is built: papers, topics, simulated cases by model, chapters, the sample of mutants.
 
-    A topic is what several papers say together: it has theorems and drawings, and nothing printed.
+    A topic is what several papers say together: it has theorems or drawings, and nothing printed.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -124,34 +128,47 @@ def _load(file: Path, text: str) -> Mapping[str, Any]:
 
 def _absent(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
     """Yield place, message and cure for every paper, topic, model, chapter without its files."""
-    papers = sorted(file.parent.name for file in root.glob("paper_data/*/paper.yaml"))
-    chapters = sorted(file.stem for file in root.glob("notebooks/*.md"))
-    for paper in settings.papers:
-        code = f"workflow/omniproof/papers/{module_name(paper)}"
-        if paper not in papers:
-            yield (
-                ("papers", paper),
-                f"no file paper_data/{paper}/paper.yaml",
-                _nearest(paper, papers),
-            )
-        elif not any((root / code).glob("derivations*")):
-            cure = "write what mechanics implies for this paper"
-            yield ("papers", paper), f"no module derivations in {code}", cure
+    yield from _absent_papers(settings, root)
     for topic in settings.topics:
         code = f"workflow/omniproof/papers/{module_name(topic)}"
-        if not any((root / code).glob("theorems*")):
-            yield ("topics", topic), f"no module theorems in {code}", "write what is proved there"
-    models = sorted(
-        file.stem.replace("_", "-") for file in root.glob("workflow/omniproof/simulation/*.py")
-    )
-    for model in settings.simulation:
-        if model not in models:
-            code = f"workflow/omniproof/simulation/{module_name(model)}.py"
-            yield ("simulation", model), f"no file {code}", _nearest(model, models)
+        if not any(file.stem in {"theorems", "figures"} for file in (root / code).glob("*")):
+            cure = "write what is proved or drawn there"
+            yield ("topics", topic), f"no module theorems or figures in {code}", cure
+    yield from _absent_models(settings, root)
+    chapters = sorted(file.stem for file in root.glob("notebooks/*.md"))
     for position, chapter in enumerate(settings.chapters):
         if chapter not in chapters:
             place = ("chapters", position)
             yield place, f"no file notebooks/{chapter}.md", _nearest(chapter, chapters)
+
+
+def _absent_papers(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
+    papers = sorted(file.parent.name for file in root.glob("paper_data/*/paper.yaml"))
+    for paper in settings.papers:
+        code = f"workflow/omniproof/papers/{module_name(paper)}"
+        if paper not in papers:
+            missing = f"no file paper_data/{paper}/paper.yaml"
+            yield ("papers", paper), missing, _nearest(paper, papers)
+        elif not any((root / code).glob("derivations*")):
+            cure = "write what mechanics implies for this paper"
+            yield ("papers", paper), f"no module derivations in {code}", cure
+
+
+def _absent_models(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:
+    """Yield models without code, and models of drawings that nothing is simulated of."""
+    code = "workflow/omniproof/simulation"
+    models = sorted(file.stem.replace("_", "-") for file in root.glob(f"{code}/*.py"))
+    for model in settings.simulation:
+        if model not in models:
+            missing = f"no file {code}/{module_name(model)}.py"
+            yield ("simulation", model), missing, _nearest(model, models)
+    for told, made in settings.told.items():
+        kind = "papers" if told in settings.papers else "topics"
+        for position, model in enumerate(made.models):
+            if model not in settings.simulation:
+                place = (kind, told, "models", position)
+                cure = _nearest(model, list(settings.simulation))
+                yield place, f"no cases of {model} under simulation", cure
 
 
 def _shape_fault(error: Mapping[str, Any], file: Path, text: str) -> Fault:

@@ -121,6 +121,15 @@ def code_of(chapter):
     return package(*re.findall(r"^from omniproof\.([\w.]+) import", text, re.MULTILINE))
 
 
+def recordings_of(*models):
+    """Return what is recorded of models, and their numbers, for the pictures that show them."""
+    return [
+        f"results/simulation/{model}/{file}.csv"
+        for model in models
+        for file in (*settings.simulation[model], "summary")
+    ]
+
+
 def mutation_of(chapter):
     """Return the study of planted misprints, for the chapter that shows it."""
     return ["results/mutation.json"] if chapter == "findings" else []

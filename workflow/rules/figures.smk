@@ -2,7 +2,8 @@
 This part of the workflow draws the figures of papers and topics from computed data.
 
 REQUIRED INPUTS:
-    drawings = workflow/omniproof/papers/{paper}/figures*
+    drawings   = workflow/omniproof/papers/{paper}/figures*
+    recordings = results/simulation/{model}/{case}.csv
 
 OUTPUTS:
     pictures = results/figures/{paper}/figure-{number}.svg
@@ -19,6 +20,7 @@ for paper, made in settings.told.items():
             f"figures_{module_name(paper)}"
         input:
             drawings=paper_module(paper, "figures"),
+            recordings=recordings_of(*made.models),
             package=package("report.drawing"),
         output:
             pictures=reported("figure", paper, made.pictures, figures_of(paper)),

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from importlib import import_module
 from pathlib import Path
 
+import pandas as pd
+
 from omniproof.report.figure import Drawing
 from omniproof.report.svg import save_figure
 
@@ -24,23 +26,29 @@ def load_figures(paper: str) -> Mapping[int | str, Drawing]:
     return figures
 
 
-def write_figures(paper: str, folder: Path) -> None:
+def write_figures(paper: str, folder: Path, results: Path) -> None:
     """Write `figure-N.svg` and `figure-N.csv` for each figure of a paper, and `figures.json`.
 
     The JSON file has a record for each figure: number or name, title, alt text and
-    caption.
+    caption. Drawings that show simulations find them in the folder of `results`.
     """
     records = [
-        _write(drawing, folder / f"figure-{number}", f"{paper}-figure-{number}")
+        _write(
+            drawing,
+            drawing.frame(results),
+            folder / f"figure-{number}",
+            f"{paper}-figure-{number}",
+        )
         for number, drawing in load_figures(paper).items()
     ]
     text = json.dumps(records, indent=1, ensure_ascii=False)
     (folder / "figures.json").write_text(text + "\n", encoding="utf-8")
 
 
-def _write(drawing: Drawing, stem: Path, prefix: str) -> dict[str, int | str]:
+def _write(
+    drawing: Drawing, frame: pd.DataFrame, stem: Path, prefix: str
+) -> dict[str, int | str]:
     """Write one figure; return what the book says of it. Ids in the picture start with `prefix`."""
-    frame = drawing.data()
     alt = drawing.describe(frame)
     frame.to_csv(stem.with_suffix(".csv"), index=False, float_format=DIGITS, lineterminator="\n")
     picture = stem.with_suffix(".svg")

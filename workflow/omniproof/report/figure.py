@@ -1,12 +1,15 @@
 """A figure as a record: what it is called, its data in long form, and how the data are drawn.
 
 Drawing gets the data frame and nothing else, so the CSV beside a picture is what the picture shows.
+A figure that shows a simulation says which files of results its data are made from, and gets these
+and no others: so the workflow can make them first.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -28,20 +31,21 @@ class Drawing:
 
     `caption` says how the figure was made; `describe` gets the frame, so that numbers in the alt
     text are those drawn. `number` is that of the paper's caption, or a name for a drawing that the
-    paper does not have.
+    paper does not have. `data` gets the tables that the drawing `needs`: CSV files by their paths
+    below the folder of results, in this order.
     """
 
     number: int | str
     title: str
     caption: str
-    data: Callable[[], pd.DataFrame]
+    data: Callable[..., pd.DataFrame]
     draw: Callable[[pd.DataFrame], Figure]
     describe: Callable[[pd.DataFrame], str]
+    needs: tuple[str, ...] = ()
 
-    @property
-    def alt(self) -> str:
-        """What one sees, in one or two sentences."""
-        return self.describe(self.data())
+    def frame(self, results: Path) -> pd.DataFrame:
+        """Return the data, made from what lies in the folder of `results`."""
+        return self.data(*(pd.read_csv(results / file) for file in self.needs))
 
 
 def rows(panel: str, series: str, points: ArrayLike) -> Iterator[Row]:
