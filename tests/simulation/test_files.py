@@ -23,8 +23,8 @@ def toy(monkeypatch):
     monkeypatch.setattr(files, "model", {"toy": TOY}.__getitem__)
 
 
-def test_a_recording_has_exact_times_and_four_digits():
-    assert files.recording_csv(RUN) == "time,x\n0,0\n0.01,0.3333\n0.02,-6.667e-08\n"
+def test_a_recording_has_exact_times_and_six_digits():
+    assert files.recording_csv(RUN) == "time,x\n0,0\n0.01,0.333333\n0.02,-6.66667e-08\n"
 
 
 def test_numbers_have_three_digits_and_units(toy, tmp_path):
