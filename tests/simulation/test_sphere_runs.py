@@ -21,7 +21,7 @@ import pytest
 from omniproof.simulation import sphere, sphere_model
 from omniproof.simulation.engine import ImplausibleRunError, Recording
 from omniproof.simulation.sphere_model import LOAD
-from omniproof.simulation.sphere_rollers import three_rollers, two_rollers
+from omniproof.simulation.sphere_rollers import equator_rollers, three_rollers, two_rollers
 
 CASES = {case.name: case for case in sphere.MODEL.cases}
 RIM = 1e-4
@@ -145,6 +145,45 @@ def test_dry_contacts_leave_two_rollers_anywhere_between_the_lines(
     assert summary["sum_of_slips"] == pytest.approx(summary["least_sum_of_slips"], abs=RIM)
 
 
+EQUATOR = np.array([0.2, 0.5, 1.0])
+
+
+def upward_slips(spin: Any) -> Any:
+    """Slips along z at three contacts on the equator, of a level spin."""
+    contacts, up, _ = raised(0, 0)
+    return np.einsum("ij,ij->i", np.cross(spin, contacts), up) - EQUATOR
+
+
+@pytest.mark.parametrize(
+    ("name", "held"),
+    [
+        pytest.param("dry", 0, id="from rest: inside the triangle"),
+        pytest.param("dry-from-aside", 0, id="turning, inside: it stays inside"),
+        pytest.param("dry-from-far-0", 2, id="from beyond a corner: two rollers stick"),
+        pytest.param("dry-from-far-60", 1, id="from beyond a side: one sticks"),
+        pytest.param("dry-from-far-180", 1, id="from beyond another side: one sticks"),
+    ],
+)
+def test_dry_contacts_on_the_equator_leave_a_triangle(name: str, held: int, runs: Any) -> None:
+    """Level spins at which all slip one way: the sizes add up to what the speeds do."""
+    recording, summary = runs(f"three-equator-{name}")
+    spin = last_spin(recording)
+    slips = upward_slips(spin)
+    assert spin[2] == pytest.approx(0, abs=RIM)
+    assert slips.max() < HELD
+    assert (np.abs(slips) < HELD).sum() == held
+    assert summary["error_dry"] < HELD
+    assert summary["sum_of_slips"] == pytest.approx(EQUATOR.sum(), rel=RIM)
+    assert summary["error_least_squares"] > 100 * HELD
+
+
+def test_viscous_contacts_on_the_equator_lead_to_the_centre_of_the_triangle(runs: Any) -> None:
+    recording, summary = runs("three-equator-viscous")
+    mean = EQUATOR.mean()
+    assert upward_slips(last_spin(recording)) == pytest.approx([-mean] * 3, abs=RIM)
+    assert summary["error_least_squares"] < RIM
+
+
 def test_lines_that_meet_leave_one_spin_from_anywhere(runs: Any) -> None:
     for name in ("two-0-viscous", "two-0-dry", "two-0-dry-from-far"):
         recording, summary = runs(name)
@@ -241,7 +280,7 @@ def test_a_load_that_is_not_borne_raises(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_cases_have_names_of_their_own_and_quantities_have_units(runs: Any) -> None:
     assert len(CASES) == len(sphere.MODEL.cases)
     assert all(re.fullmatch(r"[a-z0-9]+(-[a-z0-9]+)*", name) for name in CASES)
-    for name in ("three-10-17-dry", "two-20-viscous"):
+    for name in ("three-10-17-dry", "two-20-viscous", "three-equator-dry"):
         assert set(runs(name)[1]) <= set(sphere.MODEL.units)
 
 
@@ -261,6 +300,12 @@ def test_cases_have_names_of_their_own_and_quantities_have_units(runs: Any) -> N
             id="the other roller would stick",
         ),
         pytest.param(
+            "three-equator-dry",
+            {"speeds": "1 -1 0"},
+            "expected three speeds that do not add up to zero, got '1 -1 0'",
+            id="the triangle is a point",
+        ),
+        pytest.param(
             "two-30-dry", {"creep": 0.0}, "expected a positive creep, got 0.0 m/s", id="no creep"
         ),
     ],
@@ -276,24 +321,43 @@ def test_the_least_sum_of_slips_of_two_rollers_by_hand() -> None:
     """The difference of the heights of both lines, at each spin between them."""
     setting = two_rollers(20)
     whole = 2 * NARROW * np.tan(np.radians(20))
-    first, last = setting.dry_ends
+    first, last = setting.dry_corners
     for share in (0, 0.3, 1):
         spin = first + share * (last - first)
         assert setting.slips(spin).sum() == pytest.approx(whole)
         nearest, found = setting.nearest_dry(spin)
         np.testing.assert_allclose(nearest, spin, atol=1e-12)
-        assert found == pytest.approx(share)
-    beyond, share = setting.nearest_dry(2 * last - first)
+        assert found == pytest.approx((1 - share, share))
+    beyond, shares = setting.nearest_dry(2 * last - first)
     np.testing.assert_allclose(beyond, last, atol=1e-12)
-    assert share == 1
+    assert shares == (0, 1)
 
 
 def test_three_raised_rollers_by_hand() -> None:
     """At 30 degrees and phase 90, V = (1, 0): roller 3 has the middle value of V.h, zero."""
     setting = three_rollers(30, 90)
     np.testing.assert_allclose(setting.least_squares, [-0.8, 0, 0], atol=1e-12)
-    dry, share = setting.nearest_dry(np.zeros(3))
+    dry, shares = setting.nearest_dry(np.zeros(3))
     np.testing.assert_allclose(dry, [-1, 0, 0], atol=1e-12)
-    assert share == 0
+    assert shares == (1,)
     # The outer two slip by sin(30) cos(30).
     np.testing.assert_allclose(setting.slips(dry), [np.sqrt(3) / 4] * 2 + [0], atol=1e-12)
+
+
+def test_the_triangle_on_the_equator_by_hand() -> None:
+    """Equal speeds: corners at twice the distance of the sides, which are 1 rad/s from the middle.
+
+    Slip k is none where spin is 1 across the contact k, at azimuths 30, 150, 270 degrees less 90.
+    """
+    setting = equator_rollers("1 1 1")
+    azimuths = sorted(
+        np.degrees(np.arctan2(*corner[1::-1])) % 360 for corner in setting.dry_corners
+    )
+    assert np.linalg.norm(setting.dry_corners, axis=1) == pytest.approx([2, 2, 2])
+    assert azimuths == pytest.approx([0, 120, 240])
+    nearest, shares = setting.nearest_dry(np.array([0.1, 0.2, 5]))
+    assert nearest == pytest.approx([0.1, 0.2, 0])
+    assert min(shares) > 0
+    beyond, shares = setting.nearest_dry(np.array([-7, 0.3, 0]))
+    assert beyond == pytest.approx([-1, 0.3, 0])
+    assert sorted(shares)[0] == 0

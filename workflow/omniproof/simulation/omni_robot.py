@@ -21,7 +21,7 @@ from omniproof.kinematics import trajectory
 from omniproof.papers.omni_trajectory import setup
 from omniproof.simulation import omni_controls
 from omniproof.simulation.case import Case, Model
-from omniproof.simulation.engine import Limits, Parameters, Recording, run
+from omniproof.simulation.engine import NO_PARAMETERS, Limits, Parameters, Recording, run
 from omniproof.simulation.measures import (
     angle_between,
     circle,
@@ -60,6 +60,11 @@ VARIATIONS: Mapping[str, Parameters] = {
 }
 """What the paper does not say, changed one at a time."""
 
+OTHER_BODY = "body-86-mm"
+"""Robot with the body radius of Section 3.1 for that of Table 1: matters where the path turns."""
+TABLE_SPEED, AT_TABLE_SPEED = Rational("0.022"), "speed-22-mm"
+"""The speed of Table 2 (m/s), which the printed rates do not give; and all rates cut to it."""
+
 # Cases -------------------------------------------------------------------------------------------
 
 
@@ -67,10 +72,18 @@ def _cases() -> Iterator[Case]:
     yield from (
         _case(printed, start) for start in STARTS for printed in (*setup.CIRCLES, *setup.LINES)
     )
-    yield from (_case(VARIED, start, variation) for variation in VARIATIONS for start in STARTS)
+    for variation, changed in VARIATIONS.items():
+        yield from (_case(VARIED, start, variation, changed) for start in STARTS)
+    other = {"body_radius": float(setup.RADII["Section 3.1"])}
+    for start in STARTS:
+        yield from (_case(printed, start, OTHER_BODY, other) for printed in setup.CIRCLES)
+        for printed in (*setup.CIRCLES, *setup.LINES):
+            yield _case(printed, start, AT_TABLE_SPEED, {"rates_rpm": _slower_rates(printed)})
 
 
-def _case(printed: setup.Case, start: str, variation: str = "") -> Case:
+def _case(
+    printed: setup.Case, start: str, variation: str = "", changed: Parameters = NO_PARAMETERS
+) -> Case:
     shape = "circle" if printed in setup.CIRCLES else "line"
     parts = (shape, printed.name.removesuffix("°"), start, variation)
     parameters: Parameters = {
@@ -79,9 +92,16 @@ def _case(printed: setup.Case, start: str, variation: str = "") -> Case:
         "duration": 3.0,
         "step": 5e-4,
         **Robot().parameters,
-        **VARIATIONS.get(variation, {}),
+        **changed,
     }
     return Case(NAME, "-".join(filter(None, parts)), MappingProxyType(parameters))
+
+
+def _slower_rates(printed: setup.Case) -> str:
+    """Rates (rpm) in the printed proportion that give the speed of Table 2: the path, slower."""
+    moving = setup.twist(printed, setup.RADII["Table 1"])
+    factor = TABLE_SPEED / sympy.sqrt(moving[0] ** 2 + moving[1] ** 2)
+    return " ".join(f"{float(factor * Rational(rate)):.6f}" for rate in printed.rates_rpm)
 
 
 # Runs --------------------------------------------------------------------------------------------
@@ -131,6 +151,7 @@ def _pose(model: mujoco.MjModel, data: mujoco.MjData) -> Mapping[str, float]:
 
 UNITS: Mapping[str, str] = MappingProxyType(
     {
+        "speed": "m/s",
         "length": "m",
         "length_theory": "m",
         "length_error": "1",
@@ -142,6 +163,7 @@ UNITS: Mapping[str, str] = MappingProxyType(
         "radius_theory": "m",
         "radius_error": "1",
         "centre_error": "1",
+        "mean_error_other_body": "1",
         "height_range": "m",
         **omni_controls.UNITS,
     }
@@ -152,7 +174,8 @@ def summarise(case: Case, recording: Recording) -> dict[str, float]:
     """Return the numbers of a run beside the theory's, and how far the printed formulas are off.
 
     `length_error` is |1 - L_e/L_m| and `mean_error` Eq. (17) of omni-trajectory; `radius_error` is
-    relative to the theory's radius, `centre_error` to the run's. A large `height_range` would show
+    relative to the theory's radius, `centre_error` to the run's; `mean_error_other_body` compares
+    with the path that the other printed body radius would give. A large `height_range` would show
     a robot that jumps.
     """
     speeds, body_radius = _wheel_speeds(case), Rational(str(case.parameters["body_radius"]))
@@ -162,6 +185,10 @@ def summarise(case: Case, recording: Recording) -> dict[str, float]:
     numbers |= path_controls(recording.time, places, speeds, moving, body_radius)
     if case.name.startswith("circle"):
         numbers |= _circle_numbers(places, moving) | circle_controls(places, speeds, body_radius)
+        # The paper may have built its robot with one radius and computed with the other.
+        other = max(setup.RADII.values(), key=lambda printed: abs(printed - body_radius))
+        elsewhere = theory_path(recording.time, trajectory.body_twist(_angles(case), other, speeds))
+        numbers["mean_error_other_body"] = mean_error(recording.time, elsewhere, places)
     return numbers
 
 
@@ -172,6 +199,7 @@ def _path_numbers(
     turn, turn_theory = recording.columns["heading"][-1], float(moving[2]) * recording.time[-1]
     begun = first_direction(places, turn)
     return {
+        "speed": path_length(places) / recording.time[-1],
         "length": path_length(places),
         "length_theory": path_length(theory),
         "length_error": length_error(theory, places),

@@ -53,6 +53,15 @@ ASIDE, FAR = 0.25, 1.0
 Dry friction leaves the sphere between the lines of two rollers, or stops it at the first.
 """
 
+EQUATOR_SPEEDS = "0.2 0.5 1"
+"""Rollers on the equator whose speeds (m/s) do not add up to zero, as those of the paper do."""
+
+LEVEL_FAR, LEVEL_STARTS_DEG = 4.0, (0, 60, 180)
+"""Level spins at the start, far out of the triangle of steady ones: size in rad/s, azimuths.
+
+The first is beyond a corner, the others are beyond sides.
+"""
+
 HEAVIER = 1.3
 """Load of roller 1 in units of that of roller 2."""
 
@@ -97,8 +106,7 @@ def simulate(case: Case) -> Recording:
     parameters = case.parameters
     rollers = set_up(parameters).rollers
     asked = commands(rollers)
-    normal = np.cross(rollers[0].contact, rollers[1].contact)
-    released = float(parameters["start"]) * normal / np.linalg.norm(normal)
+    released = float(parameters["start"]) * direction_of_start(parameters)
 
     def control(_: mujoco.MjModel, data: mujoco.MjData) -> None:
         if data.time == 0:
@@ -118,6 +126,19 @@ def simulate(case: Case) -> Recording:
     for fault in _faults(recording, [roller.load for roller in rollers]):
         raise ImplausibleRunError(fault, parameters)
     return recording
+
+
+def direction_of_start(parameters: Parameters) -> np.ndarray:
+    """Direction (3,) of the spin at the start: the normal of two rollers' plane, or a level one.
+
+    Steady spins lie along the one for two rollers, and are level for three on the equator.
+    """
+    if "start_azimuth_deg" in parameters:
+        azimuth = np.radians(float(parameters["start_azimuth_deg"]))
+        return np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+    first, second, *_ = (roller.contact for roller in set_up(parameters).rollers)
+    normal = np.cross(first, second)
+    return np.asarray(normal / np.linalg.norm(normal))
 
 
 def observe(model: mujoco.MjModel, data: mujoco.MjData) -> Mapping[str, float]:
@@ -162,13 +183,14 @@ def summarise(case: Case, recording: Recording) -> Mapping[str, float]:
     """Compare the last instant with both theories.
 
     `error_least_squares` and `error_dry` are distances of spins, the latter to the nearest steady
-    spin of dry friction, which lies at `share` between the rollers' lines; `apart` is the distance
-    of the least-squares point to it. `circle_radius` is the level part of the spin. Units: `UNITS`.
+    spin of dry friction, which lies at `share` between the lines of two rollers; `apart` is the
+    distance of the least-squares point to it. `circle_radius` is the level part of the spin.
+    Units: `UNITS`.
     """
     theory = set_up(case.parameters)
     last = {name: float(column[-1]) for name, column in recording.columns.items()}
     spin = np.array([last[f"spin_{axis}"] for axis in "xyz"])
-    dry, share = theory.nearest_dry(spin)
+    dry, shares = theory.nearest_dry(spin)
     numbers = range(1, len(theory.rollers) + 1)
     found = {
         "error_least_squares": _distance(spin, theory.least_squares),
@@ -177,12 +199,13 @@ def summarise(case: Case, recording: Recording) -> Mapping[str, float]:
         "circle_radius": float(np.hypot(spin[0], spin[1])),
         "sum_of_slips": sum(last[f"slip_{number}"] for number in numbers),
         "least_sum_of_slips": float(theory.slips(dry).sum()),
-        "share": share,
         **{
             f"{name}_{number}": last[f"{name}_{number}"]
             for name, number in product(("slip", "grip"), numbers)
         },
     }
+    if len(shares) < 3:
+        found["share"] = shares[-1] if len(shares) > 1 else 0.0
     return {name: round(value, DECIMALS) for name, value in found.items()}
 
 
@@ -205,6 +228,15 @@ def two(tilt: int, name: str, creep: float, start: float = 0.0, heavier: float =
     return _case(f"two-{tilt}-{name}", {**pair, "creep": creep, "start": start, "step": STEP})
 
 
+def equator(name: str, creep: float, start: float = 0.0, azimuth: int = 0) -> Case:
+    """Case of three level rollers on the equator: size (rad/s) and azimuth of the first spin."""
+    released = {"start": start, "start_azimuth_deg": float(azimuth)}
+    return _case(
+        f"three-equator-{name}",
+        {"speeds": EQUATOR_SPEEDS, **released, "creep": creep, "step": STEP},
+    )
+
+
 def _case(name: str, parameters: Parameters) -> Case:
     return Case("sphere", name, MappingProxyType({"start": 0.0, **parameters}))
 
@@ -219,6 +251,11 @@ def _cases() -> Iterator[Case]:
         yield two(tilt, "dry-from-far", DRY, start=FAR)
     yield two(TILTS_DEG[-1], "dry-from-aside", DRY, start=ASIDE)
     yield two(TILTS_DEG[-1], "dry-heavier", DRY, start=FAR, heavier=HEAVIER)
+    yield equator("viscous", VISCOUS)
+    yield equator("dry", DRY)
+    yield equator("dry-from-aside", DRY, ASIDE, LEVEL_STARTS_DEG[0])
+    for azimuth in LEVEL_STARTS_DEG:
+        yield equator(f"dry-from-far-{azimuth}", DRY, LEVEL_FAR, azimuth)
     steepest, phase = ELEVATIONS_DEG[-1], PHASES_DEG[0]
     for creep in LADDER:
         yield three(steepest, phase, f"creep-{round(1000 * creep)}-mm", creep)

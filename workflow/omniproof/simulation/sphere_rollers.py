@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from itertools import combinations
 from math import cos, radians, sin
 
 import numpy as np
@@ -19,19 +20,26 @@ from sympy import ImmutableMatrix, MatrixBase
 from omniproof.kinematics import sphere
 from omniproof.papers.one_mechanics import friction, platforms
 from omniproof.papers.one_mechanics.statements import RADIUS as SYMBOL
+from omniproof.papers.one_mechanics.statements import REGULAR
 from omniproof.simulation.engine import Parameters
 from omniproof.simulation.sphere_model import LOAD, RADIUS, Roller
 
 TWO_CONTACTS = ((215, 60), (325, 60))
 """Azimuths and elevations in the simulation of the two-roller paper, degrees."""
 
+SAME = 1e-9
+"""Spins (rad/s), or speeds (m/s), that differ by less are equal but for rounding."""
+
 
 @dataclass(frozen=True)
 class SetUp:
-    """Some rollers, and the steady spins of dry friction: all between two ends, (3,) in rad/s."""
+    """Some rollers, and the steady spins of dry friction.
+
+    These are all between the `dry_corners`, (3,) each in rad/s: a point, a segment, a triangle.
+    """
 
     rollers: tuple[Roller, ...]
-    dry_ends: tuple[np.ndarray, np.ndarray]
+    dry_corners: tuple[np.ndarray, ...]
 
     @cached_property
     def least_squares(self) -> np.ndarray:
@@ -45,16 +53,10 @@ class SetUp:
         )
         return RADIUS * np.sqrt(np.array(squares, dtype=float).clip(0))
 
-    def nearest_dry(self, spin: np.ndarray) -> tuple[np.ndarray, float]:
-        """Steady spin of dry friction nearest to a spin, and its share of the way between the ends.
-
-        The share is 0 where the ends are one spin.
-        """
-        first, last = self.dry_ends
-        way = last - first
-        square = float(way @ way)
-        share = float(np.clip((spin - first) @ way / square, 0, 1)) if square > 1e-24 else 0.0
-        return first + share * way, share
+    def nearest_dry(self, spin: np.ndarray) -> tuple[np.ndarray, tuple[float, ...]]:
+        """Steady spin of dry friction nearest to a spin, and the shares of the corners in it."""
+        shares = _nearest(np.array(self.dry_corners), spin)
+        return shares @ np.array(self.dry_corners), tuple(map(float, shares))
 
 
 @cache
@@ -81,7 +83,7 @@ def three_rollers(elevation_deg: float, phase_deg: float) -> SetUp:
     outward = [platforms.VELOCITY.dot(friction.outward(k)).subs(point) for k in range(len(rollers))]
     middle = sorted(range(len(rollers)), key=lambda k: float(outward[k]))[1]
     dry = _floats(friction.dry_spin(middle).subs(point))
-    return SetUp(rollers, (dry, dry))
+    return SetUp(rollers, (dry,))
 
 
 @cache
@@ -109,7 +111,34 @@ def two_rollers(tilt_deg: float, heavier: float = 1.0) -> SetUp:
     )
     first, last = _ends(rollers)
     # Unequal loads leave one end: there the roller with the greater load sticks (thm:dry-two).
-    return SetUp(rollers, (first, last) if heavier == 1 else (first, first))
+    one_spin = heavier > 1 or np.linalg.norm(last - first) < SAME
+    return SetUp(rollers, (first,) if one_spin else (first, last))
+
+
+@cache
+def equator_rollers(speeds: str) -> SetUp:
+    """Regular triangle on the equator, its rollers lying level, driven at `speeds` (m/s).
+
+    Under dry friction any spin is steady at which all slip one way (thm:dry-equator); its corners
+    are where two of the rollers do not slip. Source: as for `three_rollers`, Pattern I, whose
+    speeds add up to zero, so that the triangle is a point. Raises `ValueError` for such speeds, and
+    for others than three.
+    """
+    given = [float(speed) for speed in speeds.split()]
+    if len(given) != len(REGULAR) or abs(sum(given)) < SAME:
+        raise ValueError(f"expected three speeds that do not add up to zero, got {speeds!r}")
+    rollers = tuple(
+        Roller(
+            _floats(sphere.contact_direction(azimuth, 0)),
+            _floats(sphere.tangent_base(azimuth, 0)[0]),
+            speed,
+            LOAD,
+        )
+        for azimuth, speed in zip(REGULAR, given, strict=True)
+    )
+    pairs = combinations(rollers, 2)
+    corners = (_floats(sphere.least_squares_spin(*_columns(pair), RADIUS)) for pair in pairs)
+    return SetUp(rollers, tuple(corners))
 
 
 def _ends(rollers: Sequence[Roller]) -> list[np.ndarray]:
@@ -126,7 +155,28 @@ def set_up(parameters: Parameters) -> SetUp:
     """Set-up of a case by its parameters; `ValueError` for one that theory says nothing about."""
     if "elevation_deg" in parameters:
         return three_rollers(float(parameters["elevation_deg"]), float(parameters["phase_deg"]))
+    if "speeds" in parameters:
+        return equator_rollers(str(parameters["speeds"]))
     return two_rollers(float(parameters["tilt_deg"]), float(parameters["heavier"]))
+
+
+def _nearest(corners: np.ndarray, point: np.ndarray) -> np.ndarray:
+    """Return the shares (n,) of `corners` (n, 3) in the place of their hull nearest to a `point`.
+
+    On every face (corner, side, whole) the foot of the perpendicular: of those inside, the nearest.
+    """
+    best, least = np.zeros(len(corners)), np.inf
+    for size in range(1, len(corners) + 1):
+        for face in map(list, combinations(range(len(corners)), size)):
+            first, *others = corners[face]
+            ways = np.array(others).reshape(-1, 3) - first
+            along = np.linalg.lstsq(ways.T, point - first, rcond=None)[0]
+            shares = np.array([1 - along.sum(), *along])
+            distance = float(np.linalg.norm(point - shares @ corners[face]))
+            if (shares >= 0).all() and distance < least:
+                best, least = np.zeros(len(corners)), distance
+                best[face] = shares
+    return best
 
 
 def _columns(rollers: Sequence[Roller]) -> tuple[list[MatrixBase], list[MatrixBase], list[float]]:
