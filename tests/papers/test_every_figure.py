@@ -12,6 +12,7 @@ import pandas as pd
 import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
+from recorded import frame_of
 
 import omniproof.papers
 from omniproof.report.drawing import load_figures
@@ -36,7 +37,7 @@ def drawing(paper: str, number: int | str) -> Drawing:
 
 @cache
 def frame(paper: str, number: int | str) -> pd.DataFrame:
-    return drawing(paper, number).data()
+    return frame_of(drawing(paper, number))
 
 
 @cache
@@ -76,8 +77,9 @@ def test_data_are_in_long_form(paper: str, number: int | str) -> None:
 def test_words_say_what_and_how(paper: str, number: int | str) -> None:
     made = drawing(paper, number)
     assert made.title
-    assert len(made.alt) > 60
-    assert "nan" not in made.alt.lower().split()
+    alt = made.describe(frame(paper, number))
+    assert len(alt) > 60
+    assert "nan" not in alt.lower().split()
     own = re.compile("The paper has no such figure|The papers have no such figure")
     assert REDRAWN in made.caption if isinstance(number, int) else own.search(made.caption)
 
@@ -85,11 +87,11 @@ def test_words_say_what_and_how(paper: str, number: int | str) -> None:
 @pytest.mark.parametrize(("paper", "number"), EVERY)
 def test_picture_has_same_bytes_twice_and_no_raster(paper: str, number: int | str) -> None:
     made = drawing(paper, number)
-    text = text_of(made, made.data())
-    assert text == text_of(made, made.data())
+    text = text_of(made, frame_of(made))
+    assert text == text_of(made, frame_of(made))
     assert "<image" not in text
     assert "data:" not in text
-    assert len(text.encode()) < 120_000
+    assert len(text.encode()) < 150_000
     ids = re.findall(r'\sid="([^"]+)"', text)
     assert len(ids) == len(set(ids))
     assert all(name.startswith("figure-") for name in ids)

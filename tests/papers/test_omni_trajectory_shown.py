@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from recorded import frame_of, recording
 from sympy import Rational
 
 from omniproof.audit.relations import judge
@@ -28,7 +29,7 @@ EVERY_PATH = [
 
 @pytest.fixture(scope="module")
 def frames() -> dict[int, pd.DataFrame]:
-    return {number: FIGURES[number].data() for number in (1, 2, 3, 4, 5)}
+    return {number: frame_of(FIGURES[number]) for number in (1, 2, 3, 4, 5)}
 
 
 def twist(name: str, place: str) -> Any:
@@ -86,6 +87,42 @@ def test_figure_5_shows_how_far_lines_are_bent(
     time, aside = points(frames[5], "across", f"{name}, L of {place}")[-1]
     assert time == 3
     assert aside == pytest.approx(millimetres, abs=5e-4)
+
+
+def test_simulated_marks_are_the_recording_and_their_distance_is_in_mm(
+    frames: dict[int, pd.DataFrame],
+) -> None:
+    """The made-up robot goes 150 mm along x; the theory's ends are known from NumPy."""
+    for name, place in [param.values for param in EVERY_PATH]:
+        if CASES[name] in CIRCLES:
+            found = points(frames[3], "path", f"simulated {name}, L of {place}")
+            apart = points(frames[3], "distance", f"{name}, L of {place}, standing")
+        else:
+            found = points(frames[5], name, "simulated")
+            apart = points(frames[5], "distance", f"{name}, standing")
+        assert found == pytest.approx(np.column_stack([np.linspace(0, 0.15, 61), np.zeros(61)]))
+        if CASES[name] in CIRCLES or place == SOLID:
+            missed = 1000 * math.dist((0.15, 0), driven(name, place))
+            assert apart[-1] == pytest.approx([3, missed], abs=1e-3)
+
+
+def test_figure_5_shows_the_simulation_beside_the_line_too(
+    frames: dict[int, pd.DataFrame],
+) -> None:
+    """A robot that goes along x leaves the line at 30 degrees to the right: sin 30 x 150 mm."""
+    assert points(frames[5], "across", "30°, simulated")[-1] == pytest.approx([3, -75])
+
+
+@pytest.mark.parametrize(
+    "shorter",
+    [
+        pytest.param(recording().iloc[:151], id="half of the time"),
+        pytest.param(recording().iloc[::10], id="too few rows"),
+    ],
+)
+def test_a_recording_of_other_times_is_an_error(shorter: pd.DataFrame) -> None:
+    with pytest.raises(ValueError, match=r"expected a recording of 3 s"):
+        FIGURES[5].data(*[shorter] * len(FIGURES[5].needs))
 
 
 def test_figure_1_has_one_velocity_in_two_frames(frames: dict[int, pd.DataFrame]) -> None:

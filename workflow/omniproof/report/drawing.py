@@ -45,9 +45,7 @@ def write_figures(paper: str, folder: Path, results: Path) -> None:
     (folder / "figures.json").write_text(text + "\n", encoding="utf-8")
 
 
-def _write(
-    drawing: Drawing, frame: pd.DataFrame, stem: Path, prefix: str
-) -> dict[str, int | str]:
+def _write(drawing: Drawing, frame: pd.DataFrame, stem: Path, prefix: str) -> dict[str, int | str]:
     """Write one figure; return what the book says of it. Ids in the picture start with `prefix`."""
     alt = drawing.describe(frame)
     frame.to_csv(stem.with_suffix(".csv"), index=False, float_format=DIGITS, lineterminator="\n")
