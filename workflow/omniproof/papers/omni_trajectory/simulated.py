@@ -20,8 +20,8 @@ CASES = {
 }
 """Cases in words, and the claims that print their errors: in a table, and in the text."""
 
-VARIATIONS = {
-    "": "as above",
+VARIATIONS: Mapping[str, str] = {
+    "": "as it is",
     "-half-step": "half the time step",
     "-harder": "contacts that settle in 2 ms for 4 ms",
     "-softer": "contacts that settle in 8 ms for 4 ms",
@@ -31,6 +31,8 @@ VARIATIONS = {
     "-36-rollers": "36 rollers for 18",
     "-heavy": "body of 5 kg for 1 kg",
 }
+"""What is changed, one thing at a time, by the end of the case's name."""
+
 ERRORS = ("length_error", "mean_error")
 STARTS = ("flying", "standing")
 
@@ -54,15 +56,6 @@ def errors_in_simulation(summary: pd.DataFrame, printed: Mapping[str, str]) -> l
     return [
         [words, printed[table], printed[text], *_errors(numbers, f"{case}-{{start}}")]
         for case, (words, table, text) in CASES.items()
-    ]
-
-
-def variations_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
-    """The same errors of the clockwise circle, with one thing changed at a time."""
-    numbers = _by_case(summary)
-    return [
-        [words, *_errors(numbers, f"circle-clockwise-{{start}}{variation}")]
-        for variation, words in VARIATIONS.items()
     ]
 
 
