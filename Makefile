@@ -3,6 +3,7 @@
 PYTHON ?= python3
 VENV := .venv
 INSTALL := uv pip install --quiet --compile-bytecode --require-hashes --requirement
+LOCK := uv pip compile --quiet --upgrade --universal --generate-hashes --no-header --python-version 3.11
 
 export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export VIRTUAL_ENV := $(CURDIR)/$(VENV)
@@ -32,10 +33,10 @@ test-slow: $(VENV)/ready-to-test
 
 lock: $(VENV)/ready
 	@for name in requirements-setup requirements requirements-test; do \
-	    echo "$$name.lock"; \
-	    uv pip compile --quiet --upgrade --universal --generate-hashes --no-header \
-	        --python-version 3.11 $$name.in --output-file $$name.lock || exit 1; \
+	    echo "$$name.lock"; $(LOCK) $$name.in --output-file $$name.lock || exit 1; \
 	done
+	@echo requirements-engines.lock
+	@$(LOCK) --no-deps requirements-engines.in --output-file requirements-engines.lock
 
 clean:
 	rm -rf results logs book/_build .snakemake
@@ -50,7 +51,7 @@ help:
 
 # The environment, anew whenever a lock file changes. uv installs it three times faster than pip; where
 # uv cannot (a package mirror that only pip knows of), pip installs the same file.
-$(VENV)/ready: requirements-setup.lock requirements.lock pyproject.toml
+$(VENV)/ready: requirements-setup.lock requirements.lock requirements-engines.lock pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
 	    echo "omniproof needs Python 3.11 or newer; '$(PYTHON)' is `$(PYTHON) --version 2>&1`." \
 	        "Name another one, such as: make PYTHON=python3.12" >&2; exit 1; }
@@ -58,6 +59,9 @@ $(VENV)/ready: requirements-setup.lock requirements.lock pyproject.toml
 	@$(PYTHON) -m venv $(VENV)
 	@pip install --quiet --require-hashes --requirement requirements-setup.lock
 	@$(INSTALL) requirements.lock || pip install --quiet --require-hashes --requirement requirements.lock
+	@$(INSTALL) requirements-engines.lock --no-deps || pip install --quiet --no-deps --require-hashes \
+	    --requirement requirements-engines.lock || \
+	    echo "There is no package of Drake for this platform; what it would run is left out."
 	@uv pip install --quiet --no-deps --no-build-isolation --editable .
 	@touch $@
 

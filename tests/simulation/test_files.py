@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from omniproof.simulation import files
-from omniproof.simulation.case import Case, Model, UnknownNameError
+from omniproof.simulation.case import Case, Model
 from omniproof.simulation.engine import Recording
+from omniproof.simulation.names import UnknownNameError
 
 RUN = Recording(0.01 * np.arange(3), MappingProxyType({"x": np.array([0, 1 / 3, -2e-7 / 3])}))
 TOY = Model(

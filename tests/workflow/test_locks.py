@@ -7,7 +7,7 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-LOCKS = ["requirements-setup", "requirements", "requirements-test"]
+LOCKS = ["requirements-setup", "requirements", "requirements-test", "requirements-engines"]
 
 
 def locked(text):
@@ -56,9 +56,10 @@ def test_every_wish_says_why(root, name):
     assert [x for x in lines if re.match(r"\w", x) and " # " not in x] == []
 
 
-def test_tools_share_the_versions_of_the_build(root):
+@pytest.mark.parametrize("more", ["requirements-test", "requirements-engines"])
+def test_what_comes_on_top_shares_the_versions_of_the_build(root, more):
     build = locked((root / "requirements.lock").read_text())
-    tools = locked((root / "requirements-test.lock").read_text())
+    tools = locked((root / f"{more}.lock").read_text())
     assert {name: tools[name] for name in build.keys() & tools} == {
         name: build[name] for name in build.keys() & tools
     }

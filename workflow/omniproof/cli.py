@@ -62,7 +62,11 @@ def _parser() -> argparse.ArgumentParser:
     audit = commands.add_parser("audit", help="audit one paper", description=_AUDIT)
     audit.add_argument("folder", type=Path, help="folder of the paper, such as paper_data/ballbot")
     audit.add_argument("--json", action="store_true", help="print the ledger as one JSON object")
-    _add_simulate(commands.add_parser("simulate", help="run one case", description=_SIMULATE))
+    _add_simulate(
+        commands.add_parser(
+            "simulate", help="run one case", description=_SIMULATE, epilog=_SIMULATE_EXAMPLE
+        )
+    )
     return parser
 
 
@@ -78,7 +82,10 @@ def _add_simulate(simulate: argparse.ArgumentParser) -> None:
         metavar="NAME=VALUE",
         action="append",
         default=[],
-        help="change a parameter, such as friction=0.1",
+        help="change a parameter, such as friction=0.1; a wrong name lists the known ones",
+    )
+    simulate.add_argument(
+        "--engine", metavar="NAME", help="let another physics engine run it: mujoco or drake"
     )
     simulate.add_argument("--output", metavar="FILE", type=Path, help="write there, not to stdout")
 
@@ -124,9 +131,11 @@ only, 2 bad input, 3 not decided, 4 internal."""
 _AUDIT = """Print the ledger of one paper: a line for every printed cell that a reader has to know
 of, and the number of the others. Exit status 0 whatever the verdicts are, 2 for bad input."""
 
-_SIMULATE = """Run one case in the physics engine and print its course as CSV, in SI units. Without
+_SIMULATE = """Run one case in a physics engine and print its course as CSV, in SI units. Without
 a case, list what there is. Exit status 0 done, 1 for a run that left physics behind, 2 bad
-input."""
+input, or an engine that is not installed."""
+_SIMULATE_EXAMPLE = """Such as: omniproof simulate omni-robot circle-left-flying --engine drake
+--set friction=0.3 --summary"""
 
 
 def _check(options: argparse.Namespace) -> tuple[int, str]:
@@ -180,16 +189,23 @@ def _audit(options: argparse.Namespace) -> tuple[int, str]:
 
 
 def _simulate(options: argparse.Namespace) -> tuple[int, str]:
-    from omniproof.simulation.case import UnknownNameError
     from omniproof.simulation.command import listing, simulated
     from omniproof.simulation.engine import ImplausibleRunError
+    from omniproof.simulation.engines import MissingEngineError
+    from omniproof.simulation.names import UnknownNameError
 
     try:
         if options.list or options.case is None:
             text = listing(options.model)
         else:
-            text = simulated(options.model, options.case, options.set, summary=options.summary)
-    except (UnknownNameError, ValueError) as error:
+            text = simulated(
+                options.model,
+                options.case,
+                options.set,
+                summary=options.summary,
+                engine=options.engine,
+            )
+    except (UnknownNameError, MissingEngineError, ValueError) as error:
         print(error, file=sys.stderr)
         return BAD_INPUT, ""
     except ImplausibleRunError as error:

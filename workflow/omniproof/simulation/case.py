@@ -7,20 +7,16 @@ physics engine takes a while to load.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from importlib import import_module
 from types import MappingProxyType
 
 from omniproof.simulation.engine import Parameters, Recording
+from omniproof.simulation.names import unknown
 
 MODELS: tuple[str, ...] = ("omni-robot", "ballbot", "sphere")
 """The models, in the order of the report."""
-
-
-class UnknownNameError(LookupError):
-    """A model or a case that there is none of."""
 
 
 @dataclass(frozen=True)
@@ -63,10 +59,3 @@ def model(name: str) -> Model:
 def models() -> Mapping[str, Model]:
     """Return all models by name."""
     return MappingProxyType({name: model(name) for name in MODELS})
-
-
-def unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
-    """Return the error for a name that is none of those `known`, with the nearest one."""
-    close = get_close_matches(name, known, n=1)
-    cure = f"did you mean `{close[0]}`?" if close else f"known: {', '.join(known)}"
-    return UnknownNameError(f"expected a {what}, found {name!r}\n    {cure}")

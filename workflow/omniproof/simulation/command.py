@@ -11,9 +11,11 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import TextIO
 
-from omniproof.simulation.case import MODELS, Case, model, unknown
+from omniproof.simulation.case import MODELS, Case, model
 from omniproof.simulation.engine import reporting
+from omniproof.simulation.engines import PACKAGES, USUAL, require
 from omniproof.simulation.files import SUMMARY, csv_text, recording_csv, summary_rows
+from omniproof.simulation.names import unknown
 
 WIDTH = 30
 """Characters of the bar that shows progress."""
@@ -25,14 +27,19 @@ def listing(name: str | None) -> str:
     return "\n".join(f"{one} {case.name}" for one in names for case in model(one).cases)
 
 
-def simulated(name: str, case_name: str, changes: Iterable[str], *, summary: bool) -> str:
+def simulated(
+    name: str, case_name: str, changes: Iterable[str], *, summary: bool, engine: str | None = None
+) -> str:
     """Run a case, with `changes` such as `friction=0.1`; return its recording or summary as CSV.
 
-    Talks to stderr. Raises `UnknownNameError`, `ImplausibleRunError`, and `ValueError` for a value
-    that is no number.
+    `engine` is another one than the case names. Talks to stderr. Raises `UnknownNameError`,
+    `MissingEngineError`, `ImplausibleRunError`, and `ValueError` for a value that is no number and
+    a model that only one engine can run.
     """
     found = model(name)
     case = changed(found.case(case_name), changes)
+    if engine:
+        case = on_engine(case, engine)
     with _bar(f"{name} {case_name}", sys.stderr):
         recording = found.simulate(case)
     if not summary:
@@ -52,6 +59,19 @@ def changed(case: Case, changes: Iterable[str]) -> Case:
         except ValueError:
             raise ValueError(f"expected a number for {name}, found {value!r}") from None
     return replace(case, parameters=parameters)
+
+
+def on_engine(case: Case, engine: str) -> Case:
+    """Return a case as another engine is to run it."""
+    require(engine)
+    if "engine" in case.parameters:
+        return changed(case, [f"engine={engine}"])
+    if engine != USUAL:
+        raise ValueError(
+            f"expected the engine {USUAL!r} for {case.model}, found {engine!r}\n    its contacts"
+            f" are those of {USUAL} alone; omni-robot runs on {' and '.join(PACKAGES)}"
+        )
+    return case
 
 
 @contextmanager

@@ -1,4 +1,7 @@
-"""One run of a MuJoCo model: headless, deterministic, and loud where it left physics behind.
+"""One run of a model: headless, deterministic, and loud where it left physics behind.
+
+Models are MuJoCo's. Who steps them is a switch: MuJoCo itself, or Drake (`drake_engine`), whose
+states come back as MuJoCo's, so that one control, one observation and one check serve both.
 
 MuJoCo does not stop at nonsense: a diverged state is reset in silence, a stiff servo makes a robot
 jump, a hard push drives bodies into each other. All of them end in numbers that look like results.
@@ -6,7 +9,7 @@ So every instant that is recorded is looked at first, and a run that is not plau
 `ImplausibleRunError` with the parameters that bring it about again.
 
 A run may begin before time 0, to come to rest on the floor or to gather speed; it is recorded from
-time 0 on. Bits are equal from run to run for one release of MuJoCo on one machine, not beyond.
+time 0 on. Bits are equal from run to run for one release of an engine on one machine, not beyond.
 """
 
 from __future__ import annotations
@@ -15,16 +18,21 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from functools import partial
 from types import MappingProxyType
 
 import mujoco
 import numpy as np
+
+from omniproof.simulation.engines import USUAL, require
 
 Parameters = Mapping[str, float | str]
 Control = Callable[[mujoco.MjModel, mujoco.MjData], None]
 """Sets actuators (`data.ctrl`) or forces (`data.qfrc_applied`) before each step."""
 Observe = Callable[[mujoco.MjModel, mujoco.MjData], Mapping[str, float]]
 """Reads the columns of a recording off the state, in SI units."""
+Advance = Callable[[Control, int], Sequence[str]]
+"""Takes the state so many steps on; returns the warnings of an engine that has no other way."""
 
 Progress = Callable[[float], None]
 """Takes the share of a run that is done, from 0 to 1."""
@@ -77,19 +85,23 @@ def run(  # noqa: PLR0913 - all by name
     start: float = 0.0,
     limits: Limits = DEFAULT_LIMITS,
     parameters: Parameters = NO_PARAMETERS,
+    engine: str = USUAL,
 ) -> Recording:
     """Step the model `xml` from time `start` (<= 0) to `duration`; record each `every` from 0 on.
 
     All times in s; `start` and `duration` are whole multiples of `every`, and `every` of `step`.
     `parameters` are what the model was built from, for the message of a run that fails. Raises
-    `ImplausibleRunError`, and `ValueError` for times that do not fit and a model MuJoCo rejects.
+    `ImplausibleRunError`; `ValueError` for times that do not fit and a model that is rejected;
+    `UnknownNameError` or `MissingEngineError` for an `engine` that is not there.
     """
+    require(engine)
     stride = _whole("every", every, "step", step)
     first, last = (
         _whole("start", start, "every", every),
         _whole("duration", duration, "every", every),
     )
     model, data = _at_start(xml, step, start)
+    advance = _stepper(engine, model, data)
     rows, report = [], _PROGRESS.get()
     with _warnings() as warned:
         for instant in range(first, last + 1):
@@ -103,7 +115,7 @@ def run(  # noqa: PLR0913 - all by name
             if report:
                 report((instant - first) / max(1, last - first))
             if instant < last:
-                _advance(model, data, control, stride)
+                warned.extend(advance(control, stride))
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
     return Recording(every * np.arange(len(rows)), MappingProxyType(columns))
 
@@ -139,10 +151,22 @@ def _warnings() -> Iterator[list[str]]:
         mujoco.set_mju_user_warning(before)
 
 
-def _advance(model: mujoco.MjModel, data: mujoco.MjData, control: Control, steps: int) -> None:
+def _stepper(engine: str, model: mujoco.MjModel, data: mujoco.MjData) -> Advance:
+    """Return what takes `data` some steps on, under a control, and says what went wrong."""
+    if engine == USUAL:
+        return partial(_advance, model, data)
+    from omniproof.simulation.drake_engine import stepper
+
+    return stepper(model, data)
+
+
+def _advance(
+    model: mujoco.MjModel, data: mujoco.MjData, control: Control, steps: int
+) -> Sequence[str]:
     for _ in range(steps):
         control(model, data)
         mujoco.mj_step(model, data)
+    return ()
 
 
 def _whole(long: str, dividend: float, short: str, divisor: float) -> int:
@@ -157,7 +181,7 @@ def _faults(
     model: mujoco.MjModel, data: mujoco.MjData, limits: Limits, warned: Sequence[str]
 ) -> Iterator[str]:
     """Yield what is not plausible about a state; MuJoCo warns of a divergence, and goes on."""
-    yield from (f"MuJoCo warned: {warning}" for warning in warned)
+    yield from (f"the engine warned: {warning}" for warning in warned)
     if not (np.isfinite(data.qpos).all() and np.isfinite(data.qvel).all()):
         yield "the state is not finite"
     speed = np.linalg.norm(_velocities(model, data), axis=1).max()
