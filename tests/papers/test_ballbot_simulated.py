@@ -10,9 +10,11 @@ from omniproof.papers.ballbot.simulated import (
     TURNING,
     TURNS,
     deepest,
+    fastest_turning,
     laws_in_simulation,
     least_margin,
     turns_in_simulation,
+    worst_share,
 )
 
 MOVING = {
@@ -60,6 +62,20 @@ def test_worst_numbers_of_each_set_up(summary):
     assert rows[3] == ["on top of it", "30°", "0.900 to 0.910", "0.866", "0.25%", "9.0%", "36"]
     assert least_margin(summary) == "36"
     assert deepest(summary) == "0.12 mm"
+
+
+def test_the_share_that_is_farthest_from_the_cosine():
+    """cos 30 = 0.8660, cos 60 = 0.5: 0.004 is more than 0.002; a case that only turns has none."""
+    shares = {"inside-30-along-x": 0.8640, "on-top-60-mixed": 0.504}
+    cases = {case: {"share": share} for case, share in shares.items()}
+    assert worst_share(long(cases | {"inside-60-turning": {"spin": 1.0}})) == "0.0040"
+
+
+def test_how_fast_the_ball_moves_while_wheels_turn_alike():
+    """3 and 4 make 5; what is meant to move does not count."""
+    still, moving = {"v_x": 3e-5, "v_y": -4e-5}, {"v_x": 0.05, "v_y": 0.0}
+    cases = {"inside-30-turning": still, "on-top-45-turning-floor-torsion": {"v_x": 0, "v_y": 0}}
+    assert fastest_turning(long(cases | {"inside-30-mixed": moving})) == "0.05 mm/s"
 
 
 def test_which_body_turns(summary):

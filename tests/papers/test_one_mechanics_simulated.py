@@ -21,6 +21,7 @@ NUMBERS = {
     "share": 0.25,
     "slip_1": 0.125,
     "slip_2": 0.125,
+    "slip_3": 0.125,
     "grip_1": 1.0,
     "grip_2": 0.3,
     "grip_3": 1.0,
@@ -75,6 +76,52 @@ def test_the_least_margin_is_that_of_three_dry_rollers() -> None:
 def test_the_heavier_roller() -> None:
     found = simulated.heavier(long({("two-30-dry-heavier", "slip_2"): 1.05}))
     assert found == {"slip_1": "0.125", "slip_2": "1.050", "grip_1": "1.000"}
+
+
+def test_the_radii_of_dry_circles() -> None:
+    assert simulated.dry_circles(long({})) == "0.750"
+    changes: Any = {
+        ("three-20-17-dry", "circle_radius"): 0.9,
+        ("three-20-17-viscous", "circle_radius"): 2.0,
+    }
+    assert simulated.dry_circles(long(changes)) == "0.750 to 0.900"
+
+
+def test_a_roller_sticks_if_friction_holds_it_and_it_creeps_only() -> None:
+    """Roller 2 has grip 0.3; its slip decides."""
+    crept: Any = {(case.name, "slip_2"): 0.0009 for case in MODEL.cases}
+    assert simulated.sticking(long({})) == "0"
+    assert simulated.sticking(long(crept)) == "1"
+    both: Any = {("three-30-55-dry", f"{name}_1"): 0.0009 for name in ("slip", "grip")}
+    assert simulated.sticking(long(crept | both)) == "1 or 2"
+
+
+def test_the_share_between_the_lines() -> None:
+    """Lines that meet, at 0 degrees, have none between them."""
+    changes: Any = {("two-0-dry", "share"): 0.9, ("two-20-dry", "share"): 0.5}
+    assert simulated.share_between(long(changes), "") == "0.250 to 0.500"
+    assert simulated.share_between(long(changes), "-from-far") == "0.250"
+
+
+def test_what_creep_and_step_do() -> None:
+    """1 mm/s: 0.001 over 0.001; 100 mm/s: 0.08 over 0.1. Creeps above 0.1 m/s do not count."""
+    creeps: Any = {
+        (case, "error_dry"): 0.0009 * creep for case, (creep, _) in simulated.CREEPS.items()
+    }
+    creeps |= {("three-30-17-creep-100-mm", "error_dry"): 0.08}
+    assert simulated.over_creep(long(creeps)) == "0.80 to 0.90"
+    assert simulated.change_by_step(long({})) == r"less than $1\cdot10^{-6}$"
+    changes: Any = {("three-30-17-dry-step-250-us", "error_dry"): 0.003}
+    assert simulated.change_by_step(long(changes)) == "0.00200"
+
+
+def test_rollers_on_the_equator() -> None:
+    rows = simulated.equator(long({("three-equator-dry-from-far-60", "slip_2"): 1.5}))
+    assert [row[0] for row in rows] == list(simulated.ON_EQUATOR.values())
+    assert rows[4][1:] == ["0.200", "0.00100", "0.500", "0.125, 1.500, 0.125"]
+    assert {len(row) for row in rows} == {len(simulated.EQUATOR)}
+    run = {case.name for case in MODEL.cases if "equator" in case.name}
+    assert run == {f"three-equator-{case}" for case in simulated.ON_EQUATOR}
 
 
 def test_numbers_without_the_sphere_are_an_error() -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from omniproof.report.revision import read_revision
 from omniproof.settings import module_name, read_settings
+from omniproof.simulation.engines import can_run
 from omniproof.sources import sources
 from omniproof.transcription.faults import BadInput
 
@@ -126,7 +127,7 @@ def recordings_of(*models):
     return [
         f"results/simulation/{model}/{file}.csv"
         for model in models
-        for file in (*settings.simulation[model], "summary")
+        for file in (*filter(can_run, settings.simulation[model]), "summary")
     ]
 
 

@@ -77,6 +77,26 @@ def least_margin(summary: pd.DataFrame) -> str:
     return f"{_by_case(summary)['margin'].min():.0f}"
 
 
+def worst_share(summary: pd.DataFrame) -> str:
+    """How far the share of Eq. (10) is from the cosine of the zenith angle at most, in any case."""
+    shares = _by_case(summary)["share"].dropna()
+    return (
+        f"{max(abs(share - cos(radians(_angle_deg(name)))) for name, share in shares.items()):.4f}"
+    )
+
+
+def fastest_turning(summary: pd.DataFrame) -> str:
+    """How fast the ball moves at most while all wheels have one speed, in mm/s."""
+    turning = _by_case(summary).filter(like="turning", axis="index")
+    speeds = np.hypot(turning["v_x"].to_numpy(dtype=float), turning["v_y"].to_numpy(dtype=float))
+    return f"{1000 * float(speeds.max()):.2f} mm/s"
+
+
+def _angle_deg(case: object) -> int:
+    """Zenith angle in the name of a case: `on-top-45-mixed`."""
+    return next(int(part) for part in str(case).split("-") if part.isdigit())
+
+
 def deepest(summary: pd.DataFrame) -> str:
     """How much deeper the platform sits than on a hard, smooth ball, in the worst case."""
     return f"{1000 * _by_case(summary)['sinking'].max():.2f} mm"

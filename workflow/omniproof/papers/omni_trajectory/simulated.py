@@ -6,7 +6,7 @@ chapters show what was recorded and simulate nothing.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 import pandas as pd
 
@@ -33,8 +33,19 @@ VARIATIONS: Mapping[str, str] = {
 }
 """What is changed, one thing at a time, by the end of the case's name."""
 
-ERRORS = ("length_error", "mean_error")
 STARTS = ("flying", "standing")
+
+SETUPS: Mapping[str, str] = {
+    "": "printed rates, $L$ of Table 1",
+    "-body-86-mm": "printed rates, $L$ of Section 3.1",
+    "-speed-22-mm": "rates cut to the speed of Table 2, $L$ of Table 1",
+}
+"""Printed set-ups that contradict each other, by the end of the case's name."""
+
+MEASURES = {"length_error": "length", "mean_error": "Eq. (17)"}
+PLACES = ("table", "text")
+Printed = Mapping[str, str]
+"""Errors as printed, by claim."""
 
 CONTROLS = {
     "length_error_eq_8_9": "length of the path, Eqs. (8) and (9)",
@@ -47,7 +58,7 @@ CONTROLS = {
 """What is off in printed formulas, in words; before `_eq` or `_tab`, the same of corrected ones."""
 
 
-def errors_in_simulation(summary: pd.DataFrame, printed: Mapping[str, str]) -> list[list[str]]:
+def errors_in_simulation(summary: pd.DataFrame, printed: Printed) -> list[list[str]]:
     """Errors of each case: printed in the table, in the text; ours for both starts.
 
     `printed` are the printed errors by claim. Ours: |1 - L_e/L_m| and Eq. (17), flying; standing.
@@ -74,13 +85,102 @@ def controls_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
 
 def worst(summary: pd.DataFrame, error: str, start: str) -> str:
     """Return the greatest `error` of all printed cases with one `start`."""
+    return _short(max(_of_cases(_by_case(summary), error, start).values()))
+
+
+def agreement(summary: pd.DataFrame, printed: Printed) -> list[list[str]]:
+    """What each start and measure gives: in words, from least to greatest, how many are printed.
+
+    A number counts as printed where it rounds to the digits that stand there: in the table, in the
+    text.
+    """
+    numbers = _by_case(summary)
+    rows = []
+    for start in STARTS:
+        for error, words in MEASURES.items():
+            found = _of_cases(numbers, error, start)
+            alike = (_alike(found, printed, place) for place in PLACES)
+            rows.append([f"{start}, {words}", _span(found.values()), *alike])
+    return rows
+
+
+def setups_in_simulation(summary: pd.DataFrame, printed: Printed) -> list[list[str]]:
+    """The printed set-ups: words, speed, turn of the left circle, and Eq. (17) standing.
+
+    Of the latter the least and the greatest, and how many are printed in the text.
+    """
+    numbers = _by_case(summary)
+    rows = []
+    for setup, words in SETUPS.items():
+        speeds = _of_cases(numbers, "speed", "flying", setup)
+        errors = _of_cases(numbers, "mean_error", "standing", setup)
+        turn = f"{numbers['turn'][f'circle-left-flying{setup}']:.0f}°"
+        alike = _alike(errors, printed, "text")
+        rows.append([words, _span(speeds.values()), turn, _span(errors.values()), alike])
+    return rows
+
+
+def off_printed_speed(summary: pd.DataFrame) -> str:
+    """Return the least error of a length by the speed of Table 2, at the printed rates."""
+    found = _of_cases(_by_case(summary), "length_error_tab_2", "flying")
+    return _short(min(found.values()))
+
+
+def off_mixed_radii(summary: pd.DataFrame) -> str:
+    """Return the least Eq. (17) of a robot with one printed radius, a theory with the other."""
+    numbers = _by_case(summary)["mean_error_other_body"]
+    setups = (name for name in SETUPS if "speed" not in name)
+    cases = (f"{case}-{start}{setup}" for setup in setups for case in CASES for start in STARTS)
+    return _short(min(float(numbers[case]) for case in cases if numbers.notna().get(case, False)))
+
+
+def most_sensitive(summary: pd.DataFrame, error: str, start: str) -> tuple[str, str]:
+    """Return which change gives the greatest error of the clockwise circle, and that error."""
     numbers = _by_case(summary)[error]
-    return _short(max(float(numbers[f"{case}-{start}"]) for case in CASES))
+    found = {
+        words: float(numbers[f"circle-clockwise-{start}{name}"])
+        for name, words in VARIATIONS.items()
+    }
+    words = max(found, key=found.__getitem__)
+    return words, _short(found[words])
+
+
+def printed_path_off(summary: pd.DataFrame) -> str:
+    """Return the least error of the lengths that Eqs. (8) and (9) give as printed."""
+    return _short(min(_of_cases(_by_case(summary), "length_error_eq_8_9", "flying").values()))
+
+
+def _of_cases(
+    numbers: pd.DataFrame, quantity: str, start: str, setup: str = ""
+) -> Mapping[str, float]:
+    """A quantity of all cases of Tables 3 and 4 that were run with a start and a set-up."""
+    names = {case: f"{case}-{start}{setup}" for case in CASES}
+    return {
+        case: float(numbers[quantity][name])
+        for case, name in names.items()
+        if name in numbers.index
+    }
+
+
+def _alike(found: Mapping[str, float], printed: Printed, place: str) -> str:
+    """Say how many numbers round to what is printed at a place, such as `2 of 6`."""
+    claims = {case: printed[CASES[case][1 + PLACES.index(place)]] for case in found}
+    same = [
+        f"{value:.{len(claims[case].partition('.')[2])}f}" == claims[case]
+        for case, value in found.items()
+    ]
+    return f"{sum(same)} of {len(same)}"
+
+
+def _span(values: Iterable[float]) -> str:
+    """Write the least and the greatest of some numbers, or the one that all are."""
+    found = list(values)
+    return " to ".join(dict.fromkeys(_short(end) for end in (min(found), max(found))))
 
 
 def _errors(numbers: pd.DataFrame, case: str) -> Sequence[str]:
     cases = (case.format(start=start) for start in STARTS)
-    return [_short(float(numbers[error][case])) for case in cases for error in ERRORS]
+    return [_short(float(numbers[error][case])) for case in cases for error in MEASURES]
 
 
 def _by_case(summary: pd.DataFrame) -> pd.DataFrame:

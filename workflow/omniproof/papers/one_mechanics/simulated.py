@@ -56,6 +56,35 @@ LADDER = ("creep, mm/s", "step, ms", "off least squares", "off the dry theorem",
 """Heads of `creeps`: spins in rad/s, the last column in 1/m."""
 
 
+EQUATOR = (
+    "contacts, start",
+    "off least squares",
+    "off the triangle",
+    "sum of slips",
+    "slips",
+)
+"""Heads of `equator`: spins in rad/s, slips in m/s."""
+
+ON_EQUATOR = {
+    "viscous": "viscous, from rest",
+    "dry": "dry, from rest",
+    "dry-from-aside": "dry, let go turning slowly",
+    "dry-from-far-0": "dry, let go turning fast about 0°",
+    "dry-from-far-60": "dry, about 60°",
+    "dry-from-far-180": "dry, about 180°",
+}
+"""Cases of level rollers on the equator, in words."""
+
+DRY_CREEP = 0.001
+"""Creep of dry contacts, m/s: a roller that sticks slips by less."""
+
+LIMIT = 0.99
+"""Friction above this part of its limit is at its limit, but for round-off."""
+
+LAST_DIGIT = 1e-6
+"""What runs are rounded to, rad/s."""
+
+
 def three_rollers(summary: pd.DataFrame) -> list[list[str]]:
     """Both kinds of friction at each elevation and phase, beside what theory has; `RAISED`."""
     numbers = _by_case(summary)
@@ -100,10 +129,66 @@ def creeps(summary: pd.DataFrame) -> list[list[str]]:
 
 def margin(summary: pd.DataFrame) -> str:
     """By how much dry friction is farther from least squares than from its theorem, at least."""
-    numbers = _by_case(summary)
-    cases = (f"three-{place[0]}-{place[1]}-dry" for place in product(ELEVATIONS_DEG, PHASES_DEG))
-    dry = [numbers[case] for case in cases]
+    dry = _three_dry(summary)
     return f"{min(case['error_least_squares'] / case['error_dry'] for case in dry):.0f}"
+
+
+def dry_circles(summary: pd.DataFrame) -> str:
+    """Radii (rad/s) of the circles of three dry rollers, from the least to the greatest."""
+    radii = [case["circle_radius"] for case in _three_dry(summary)]
+    return " to ".join(dict.fromkeys(f"{end:.3f}" for end in (min(radii), max(radii))))
+
+
+def sticking(summary: pd.DataFrame) -> str:
+    """How many of three dry rollers stick: friction below its limit, and no slip but the creep."""
+    counts = {
+        sum(case[f"grip_{k}"] < LIMIT and case[f"slip_{k}"] < 2 * DRY_CREEP for k in (1, 2, 3))
+        for case in _three_dry(summary)
+    }
+    return " or ".join(str(count) for count in sorted(counts))
+
+
+def share_between(summary: pd.DataFrame, start: str) -> str:
+    """Share of the way between two lines at which dry friction stops the sphere, over all tilts."""
+    numbers = _by_case(summary)
+    shares = [numbers[f"two-{tilt}-dry{start}"]["share"] for tilt in TILTS_DEG if tilt]
+    return " to ".join(dict.fromkeys(f"{end:.3f}" for end in (min(shares), max(shares))))
+
+
+def over_creep(summary: pd.DataFrame) -> str:
+    """Distance from the dry theorem over the creep, below a tenth of the viscous one, in 1/m."""
+    numbers = _by_case(summary)
+    ratios = [
+        1000 * numbers[case]["error_dry"] / creep
+        for case, (creep, _) in CREEPS.items()
+        if creep <= 100
+    ]
+    return f"{min(ratios):.2f} to {max(ratios):.2f}"
+
+
+def change_by_step(summary: pd.DataFrame) -> str:
+    """How much a finer step changes the distance from the dry theorem, in rad/s."""
+    numbers = _by_case(summary)
+    found = [numbers[case]["error_dry"] for case, (creep, _) in CREEPS.items() if creep == 1]
+    change = max(found) - min(found)
+    return _short(change) if change >= LAST_DIGIT else f"less than {_short(LAST_DIGIT)}"
+
+
+def equator(summary: pd.DataFrame) -> list[list[str]]:
+    """Rollers on the equator, viscous and dry from several starts; `EQUATOR`."""
+    numbers = _by_case(summary)
+    rows = []
+    for case, words in ON_EQUATOR.items():
+        found = numbers[f"three-equator-{case}"]
+        slips = ", ".join(_short(found[f"slip_{k}"]) for k in (1, 2, 3))
+        off = (found[name] for name in ("error_least_squares", "error_dry", "sum_of_slips"))
+        rows.append([words, *map(_short, off), slips])
+    return rows
+
+
+def _three_dry(summary: pd.DataFrame) -> list[Mapping[str, float]]:
+    numbers = _by_case(summary)
+    return [numbers[f"three-{e}-{p}-dry"] for e, p in product(ELEVATIONS_DEG, PHASES_DEG)]
 
 
 def heavier(summary: pd.DataFrame) -> Mapping[str, str]:

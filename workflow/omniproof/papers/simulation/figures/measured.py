@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from omniproof.papers.ballbot.simulated import ANGLES_DEG, SIDES
-from omniproof.papers.omni_trajectory.simulated import ERRORS, STARTS, VARIATIONS
+from omniproof.papers.omni_trajectory.simulated import MEASURES, STARTS, VARIATIONS
 from omniproof.report.figure import Drawing, Floats, long_form, points, rows
 from omniproof.report.sketch import label, line, shown
 from omniproof.report.svg import ACCENT, INK, SMALL_SIZE, TYPE_COLORS, WIDTH, styled
@@ -109,7 +109,9 @@ def describe_law(frame: pd.DataFrame) -> str:
 # The errors of the robot --------------------------------------------------------------------------
 
 START_COLORS = dict(zip(STARTS, (TYPE_COLORS["X"], TYPE_COLORS["Y"]), strict=True))
-ERROR_LOOKS = {"length_error": ("o", "length"), "mean_error": ("s", "Eq. (17)")}
+ERROR_LOOKS = {
+    error: (mark, words) for mark, (error, words) in zip("os", MEASURES.items(), strict=True)
+}
 VARIED = "circle-clockwise"
 LEAST = 1e-4
 
@@ -122,7 +124,7 @@ def sensitivity_data(summary: pd.DataFrame) -> pd.DataFrame:
             rows(error, f"{words}, {start}", [numbers[error][f"{VARIED}-{start}{name}"], place])
             for place, (name, words) in enumerate(VARIATIONS.items())
             for start in STARTS
-            for error in ERRORS
+            for error in MEASURES
         )
     )
 
