@@ -7,11 +7,13 @@ from omniproof.papers.omni_trajectory import setup
 from omniproof.papers.omni_trajectory.simulated import (
     CASES,
     CONTROLS,
+    ENGINES,
     SETUPS,
     STARTS,
     VARIATIONS,
     agreement,
     controls_in_simulation,
+    engines_in_simulation,
     errors_in_simulation,
     most_sensitive,
     off_mixed_radii,
@@ -132,6 +134,16 @@ def test_the_change_that_matters_most():
     cases["circle-clockwise-flying-heavy"] = OURS | {"mean_error": 0.0049}
     found = most_sensitive(long(cases), "mean_error", "flying")
     assert found == (VARIATIONS["-heavy"], "0.0049")
+
+
+def test_engines_stand_beside_each_other_and_may_be_missing():
+    circle = OURS | {"radius": 0.09916, "turn": 86.44}
+    cases = {f"circle-left-{start}": circle for start in STARTS}
+    rows = engines_in_simulation(long(cases | {"circle-left-flying-drake": circle}))
+    assert rows[0] == ["MuJoCo, flying", "99.2", "86.4", "0.00050", "0.0010"]
+    assert rows[1] == ["Drake, flying", *rows[0][1:]]
+    assert rows[3] == ["Drake, standing", "—", "—", "—", "—"]
+    assert {len(row) for row in rows} == {len(ENGINES)}
 
 
 def test_words_belong_to_the_cases_that_are_run():

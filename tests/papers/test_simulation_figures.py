@@ -160,6 +160,36 @@ def test_every_change_of_the_robot_has_its_errors() -> None:
     assert f"0.5000 to 0.7500 ({words})" in FIGURES["sensitivity"].describe(frame)
 
 
+def spinning(x: float, y: float) -> pd.DataFrame:
+    """A run that comes to a level spin; its first row is before the sphere is let go."""
+    return pd.DataFrame({"spin_x": [0, 2, x], "spin_y": [0, 2, y], "spin_z": 0.0})
+
+
+@pytest.mark.parametrize(
+    ("end", "outside"),
+    [
+        pytest.param((0.6, 0.17), "0.0000", id="inside, beside a corner"),
+        pytest.param((-1.02, 0.0), "0.0200", id="left of the side at x = -1"),
+    ],
+)
+def test_the_triangle_on_the_equator(end: tuple[float, float], outside: str) -> None:
+    """By hand: roller k at azimuth a does not slip on n.w = -v, n = (sin a, -cos a).
+
+    Azimuths 30, 150, 270 degrees and speeds 0.2, 0.5, 1: the lines have the distances 0.2, 0.5, 1
+    from the origin, the third is x = -1 or x = 1; an equilateral triangle, whose height is
+    |v_1 + v_2 + v_3| = 1.7.
+    """
+    made = FIGURES["equator"]
+    runs = [spinning(-0.4, 0.2) for _ in made.needs]
+    frame = made.data(*runs[:-1], spinning(*end))
+    triangle = points(frame, "level", "triangle")
+    sides = np.linalg.norm(triangle - np.roll(triangle, 1, axis=0), axis=1)
+    assert sides == pytest.approx([2 * 1.7 / math.sqrt(3)] * 3)
+    assert sorted(triangle[:, 0])[:2] == pytest.approx([-1, -1])
+    assert points(frame, "level", "viscous") == pytest.approx(np.array([[2, 2], [-0.4, 0.2]]))
+    assert f"at most {outside} rad/s outside" in made.describe(frame)
+
+
 def test_marks_of_the_spins_are_the_ends_of_the_runs() -> None:
     """The second of two rows counts; of the height, Pattern IV alone."""
     runs = [

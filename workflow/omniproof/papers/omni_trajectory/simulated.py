@@ -7,6 +7,7 @@ chapters show what was recorded and simulate nothing.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 import pandas as pd
 
@@ -41,6 +42,9 @@ SETUPS: Mapping[str, str] = {
     "-speed-22-mm": "rates cut to the speed of Table 2, $L$ of Table 1",
 }
 """Printed set-ups that contradict each other, by the end of the case's name."""
+
+ENGINES = ("engine, start", "radius, mm", "turn, degrees", "length", "Eq. (17)")
+"""Heads of `engines_in_simulation`."""
 
 MEASURES = {"length_error": "length", "mean_error": "Eq. (17)"}
 PLACES = ("table", "text")
@@ -118,6 +122,23 @@ def setups_in_simulation(summary: pd.DataFrame, printed: Printed) -> list[list[s
         alike = _alike(errors, printed, "text")
         rows.append([words, _span(speeds.values()), turn, _span(errors.values()), alike])
     return rows
+
+
+def engines_in_simulation(summary: pd.DataFrame) -> list[list[str]]:
+    """The left circle by both engines, from both starts: `ENGINES`; a dash where one is missing."""
+    numbers = _by_case(summary).to_dict("index")
+    rows = []
+    for start in STARTS:
+        for engine, words in {"": "MuJoCo", "-drake": "Drake"}.items():
+            found = numbers.get(f"circle-left-{start}{engine}")
+            cells = _engine_cells(found) if found else ["—"] * 4
+            rows.append([f"{words}, {start}", *cells])
+    return rows
+
+
+def _engine_cells(found: Mapping[Any, float]) -> list[str]:
+    radius, turn = f"{1000 * found['radius']:.1f}", f"{found['turn']:.1f}"
+    return [radius, turn, *(_short(found[error]) for error in MEASURES)]
 
 
 def off_printed_speed(summary: pd.DataFrame) -> str:
