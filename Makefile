@@ -27,6 +27,7 @@ test: $(VENV)/ready-to-test
 
 bench: $(VENV)/ready-to-test
 	@python tests/corpus/bench.py results/benchmarks
+	@python -m omniproof.simulation.sensitivity results/benchmarks/simulation/sensitivity.csv
 
 test-slow: $(VENV)/ready-to-test
 	@pytest --numprocesses auto -m slow
@@ -44,7 +45,7 @@ clean:
 help:
 	@echo "make        set up .venv if needed, then build results and report"
 	@echo "make test   lint, types and tests"
-	@echo "make bench  compare the engine with other systems, to results/benchmarks (minutes)"
+	@echo "make bench  compare with other systems, vary the simulation, to results/benchmarks (minutes)"
 	@echo "make test-slow  the long studies: all planted misprints, long fuzzing (minutes)"
 	@echo "make lock   resolve requirements*.in anew into requirements*.lock"
 	@echo "make clean  remove what was built (.venv stays)"

@@ -51,6 +51,8 @@ class Limits:
     """Depth of any contact (m)."""
     energy: float = 100.0
     """Kinetic energy (J)."""
+    spin: float = 100.0
+    """Rate at which any body turns, rollers too (rad/s)."""
 
 
 DEFAULT_LIMITS = Limits()
@@ -187,6 +189,9 @@ def _faults(
     speed = np.linalg.norm(_velocities(model, data), axis=1).max()
     if speed > limits.speed:
         yield f"a body moves at {speed:.3g} m/s, more than {limits.speed:g}"
+    spin = np.linalg.norm(data.cvel[:, :3], axis=1).max()
+    if spin > limits.spin:
+        yield f"a body turns at {spin:.3g} rad/s, more than {limits.spin:g}"
     depth = -data.contact.dist.min(initial=0.0)
     if depth > limits.penetration:
         yield f"a contact is {depth:.3g} m deep, more than {limits.penetration:g}"

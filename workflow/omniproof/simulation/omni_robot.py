@@ -44,8 +44,10 @@ SETTLING = 0.3
 RAMP = 0.2
 """Seconds in which a flying start gathers speed; as many follow until time 0."""
 
-LIMITS = Limits(speed=0.5, penetration=4e-4, energy=1.0)
-"""Ten times the robot's speed; a tenth of a roller's radius; three times what the motors turn."""
+LIMITS = Limits(speed=0.5, penetration=4e-4, energy=1.0, spin=60.0)
+"""Ten times the robot's speed; a tenth of a roller's radius; three times what the motors turn; five
+times the spin of a roller that rolls at the robot's speed (0.05 m/s over 4 mm).
+"""
 
 VARIED = setup.CIRCLES[1]
 """The case with the largest errors is the one that is varied."""

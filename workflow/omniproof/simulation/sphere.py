@@ -78,8 +78,8 @@ BORNE = 1e-6
 DECIMALS = 6
 """Of the numbers read off a run: what is less than that is round-off where theory says zero."""
 
-LIMITS = Limits(energy=1000)
-"""Three flywheels at 1 m/s hold 125 J each; what is more is not the sphere's."""
+LIMITS = Limits(energy=1000.0, spin=50.0)
+"""Three flywheels at 1 m/s hold 125 J each, and turn at 5 rad/s."""
 
 UNITS: Mapping[str, str] = MappingProxyType(
     {
