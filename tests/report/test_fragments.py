@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omniproof.audit.ledger import Ledger, Row, Verdict
+from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor
 from omniproof.report.fragments import Chapter, Overview, in_text, values
 from omniproof.report.fragments.base import results_folder
@@ -177,6 +178,32 @@ def test_a_theorem_has_label_statement_and_proof(chapter: Chapter) -> None:
     assert r"$$D_V = \frac{8}{|\det \mathbf{A}|}.$$" in text
     assert text.index("{prf:proof}") < text.index("\n1. ")
     assert text.count("\n1. ") == 2
+
+
+@pytest.mark.parametrize(
+    ("note", "rest", "others"),
+    [
+        pytest.param("It fails for $a$ or $b$ (1 or 2).", None, (), id="a set is no repair"),
+        pytest.param("a sum. or $a = 1$.", "a sum.", ("a = 1",), id="one other"),
+        pytest.param("or $a$, or $b$, or $c$", "", ("a", "b", "c"), id="nothing but repairs"),
+    ],
+)
+def test_other_repairs_leave_the_note(note: str, rest: str | None, others: tuple[str]) -> None:
+    assert alternatives(note) == (note if rest is None else rest, others)
+
+
+@pytest.mark.parametrize(
+    ("note", "folded"),
+    [
+        pytest.param("a sum. or $a$.", 0, id="one other stands in the open"),
+        pytest.param("a sum. or $a$, or $b$.", 1, id="two unfold"),
+    ],
+)
+def test_other_repairs_unfold(chapter: Chapter, outline: type, note: str, folded: int) -> None:
+    row = chapter.row("eq:6[1,2]").model_copy(update={"note": note})
+    page = outline(row_html(row, chapter.href))
+    assert page.tags.count("details") == folded
+    assert r"\(a\)" in page.text
 
 
 @pytest.mark.parametrize(

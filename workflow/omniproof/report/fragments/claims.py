@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from html import escape
 
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
+from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor, base, index
 from omniproof.report.changes import Changes, changes
 from omniproof.report.derived import Derived
@@ -35,6 +36,9 @@ ENGINES: Mapping[str, str] = {
     "z3": "Z3",
     "arb": "Arb balls",
     "modular": "modular arithmetic",
+    "text": "comparison of texts",
+    "exact": "exact arithmetic",
+    "signs": "signs of balls",
     "read": "reading",
 }
 REPAIRS: Mapping[Repair, str] = {
@@ -175,7 +179,8 @@ def row_html(
         f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
         f'<span class="printed">{"" if bare else cell(printed)}</span>'
     )
-    note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
+    said, _ = alternatives(row.note)
+    note = f'<p class="note">{note_html(said, href)}</p>' if said else ""
     facts = facts_html(row, href, derived, changed)
     if row.verdict not in FOLDED:
         return (
@@ -216,6 +221,7 @@ def _facts(row: Row, href: Href, changed: Changes | None) -> Sequence[tuple[str,
         ("derived", "" if shown_already else cell(row.derived)),
         ("should read", cell(correction, lambda claim: link(claim, href))),
         ("change", changes_html(changed)),
+        ("or", others_html(alternatives(row.note)[1])),
         ("true when", cell(row.assumption)),
         ("counterexample", witness_html(row.witness)),
         ("exact value", interval_html(row)),
@@ -239,6 +245,14 @@ def _evidence(row: Row, href: Href, derived: Derived | None) -> Sequence[tuple[s
             '<a href="ledger.csv">ledger.csv</a>',
         ),
     )
+
+
+def others_html(repairs: Sequence[str]) -> str:
+    """Return the other repairs of a formula; several of them unfold."""
+    if len(repairs) < 2:
+        return "".join(map(cell, repairs))
+    items = "".join(f"<li>{cell(latex)}</li>" for latex in repairs)
+    return f"<details><summary>{len(repairs)} other repairs</summary><ul>{items}</ul></details>"
 
 
 def changes_html(changed: Changes | None) -> str:
