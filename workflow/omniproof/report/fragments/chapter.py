@@ -71,15 +71,14 @@ class Chapter:
     ) -> Fragment:
         """Show a table of numbers, printed beside computed; headings by the names in the ids."""
         found = self._take(selectors)
-        html = beside_html(found, self.href, columns or {}, rows or {})
+        html = beside_html(found, self.href, columns or {}, rows or {}, self._derived)
         return Fragment(self._boxed(found, html), f"table {' '.join(selectors)}")
 
     def listing(self, *selectors: str) -> Fragment:
         """Show claims as a list of one line each: a nomenclature, references, spelling."""
         found = self._take(selectors)
-        return Fragment(
-            self._boxed(found, list_html(found, self.href)), f"list {' '.join(selectors)}"
-        )
+        html = list_html(found, self.href, self._derived)
+        return Fragment(self._boxed(found, html), f"list {' '.join(selectors)}")
 
     def grid(self, head: Sequence[str], rows: Iterable[Sequence[str]]) -> Fragment:
         """Show computed cells (text with `$math$`) under column heads; the first names the row."""
