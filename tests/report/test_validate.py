@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from omniproof.audit.ledger import Ledger
+from omniproof.report.code_pages import write_code
 from omniproof.report.fragments import Chapter, Overview
 from omniproof.report.validate import InvalidBookError, Page, validate_book
 
@@ -26,6 +27,7 @@ def html(tmp_path: Path, chapter: Chapter, overview: Overview, results: Path) ->
         body = "".join(fragment.html for fragment in fragments)
         (tmp_path / name).write_text(f"<title>x</title><main>{body}</main>", encoding="utf-8")
     shutil.copytree(results / "figures", tmp_path / "figures")
+    write_code(tmp_path)
     (tmp_path / "corrigenda").mkdir()
     for name in ("ledger.csv", "corrigenda/omni-arrangement.pdf"):
         (tmp_path / name).write_bytes(b"")

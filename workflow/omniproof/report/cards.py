@@ -14,6 +14,7 @@ from html.parser import HTMLParser
 from omniproof.audit.ledger import Ledger, Row
 from omniproof.report.anchors import anchor
 from omniproof.report.changes import changes
+from omniproof.report.code_pages import code_link
 from omniproof.report.derived import Derived
 from omniproof.report.latexfmt import is_latex
 from omniproof.report.theme import MARKS
@@ -124,7 +125,7 @@ def _lacking(row: Row, card: Card, derived: Derived) -> Iterator[str]:
     if row.correction and changes(row.printed, row.correction) and "change" not in card.terms:
         yield "what changes"
     source = derived.source(row.id)
-    if source and source not in card.terms.get("derivation", ""):
+    if source and code_link(source) not in card.links:
         yield "the source of its derivation"
     if "ledger.csv" not in card.links:
         yield "a link to the data"

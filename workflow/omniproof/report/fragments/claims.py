@@ -11,6 +11,7 @@ from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
 from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor, base, index
 from omniproof.report.changes import Changes, changes
+from omniproof.report.code_pages import code_link
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.base import (
     Href,
@@ -238,13 +239,19 @@ def _evidence(row: Row, href: Href, derived: Derived | None) -> Sequence[tuple[s
     source = derived.source(row.id) if derived else ""
     return (
         ("decided by", decided_by(row)),
-        ("derivation", f"<code>{escape(source)}</code>" if source else ""),
+        ("derivation", derivation_html(source)),
         (
             "address",
             f'<a class="address" href="{_own(row, href)}">{escape(row.id)}</a> in '
             '<a href="ledger.csv">ledger.csv</a>',
         ),
     )
+
+
+def derivation_html(source: str) -> str:
+    """Return file and line of a derivation as a link to its code."""
+    link = f'<a href="{escape(code_link(source))}"><code>{escape(source)}</code></a>'
+    return link if source else ""
 
 
 def others_html(repairs: Sequence[str]) -> str:
