@@ -30,8 +30,8 @@
     return select;
   };
 
-  // As the table stands in the page: by reach, then by place.
-  const first = ["changes", "place"].map((head) => [heads.indexOf(head), "asc"]);
+  // As the table stands in the page: by reach, then by gravity, then by place.
+  const first = ["changes", "verdict", "place"].map((head) => [heads.indexOf(head), "asc"]);
   const options = FILTERS.map((head) => [head, words(heads.indexOf(head))]);
   const table = new DataTable(list, {
     paging: false,

@@ -8,13 +8,16 @@ from pathlib import Path
 import nbformat
 
 from omniproof.report.fragments import Chapter, Fragment, Overview
+from omniproof.report.fragments.base import Written
 from omniproof.settings import read_settings
 
 ROOT = Path(__file__).parents[2]
 RESULTS = ROOT / "tests" / "report" / "fixtures" / "results"
 
+HEADLINES = {"omni-arrangement eq:6[1,2]": "A sign is wrong: {printed} should read {correct}."}
 
-def write_notebook(path: Path, title: str, *fragments: Fragment) -> None:
+
+def write_notebook(path: Path, title: str, *fragments: Fragment | Written) -> None:
     """Write an executed notebook, as the pipeline makes it from a chapter."""
     cells = [nbformat.v4.new_markdown_cell(f"# {title}", id="title")]
     for number, fragment in enumerate(fragments):
@@ -30,8 +33,8 @@ def small_results(folder: Path) -> Path:
     (folder / "notebooks").mkdir()
     paper, all_papers = Chapter.open("omni-arrangement", RESULTS), Overview.open(RESULTS)
     chapter = [paper.counts(), paper.table("tab:2["), paper.figure(5), paper.all_theorems()]
-    pages: dict[str, list[Fragment]] = {
-        "index": [all_papers.counts(), all_papers.most_consequential()],
+    pages: dict[str, list[Fragment | Written]] = {
+        "index": [all_papers.counts(), all_papers.headlines(HEADLINES)],
         "findings": [all_papers.findings()],
         "omni-arrangement": [*chapter, paper.rest()],
     }

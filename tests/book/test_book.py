@@ -52,6 +52,17 @@ def test_two_builds_give_the_same_bytes(small: Path, tmp_path: Path) -> None:
     assert different(filecmp.dircmp(small, tmp_path / "deep" / "html")) == []
 
 
+def test_theorems_have_a_number_an_address_and_a_proof_that_unfolds(small: Path) -> None:
+    text = (small / "omni-arrangement.html").read_text(encoding="utf-8")
+    (theorem,) = re.findall(
+        r'<div class="[^"]*theorem[^"]*" id="thm-one-measure">.*?</details>', text, re.S
+    )
+    assert re.search(r"Theorem 1\b", theorem)
+    assert '<details class="proof"><summary>Proof</summary>' in theorem
+    assert theorem.count("<li>") == 2
+    assert "Proof. " not in theorem
+
+
 def different(pair: filecmp.dircmp[str]) -> list[str]:
     """Return the files that differ or stand on one side only, byte for byte."""
     _, wrong, odd = filecmp.cmpfiles(pair.left, pair.right, pair.common_files, shallow=False)
@@ -61,12 +72,12 @@ def different(pair: filecmp.dircmp[str]) -> list[str]:
 
 def test_a_failed_build_names_the_fault_and_keeps_the_old_report(tmp_path: Path) -> None:
     stage(ROOT / "book", small_results(tmp_path / "results"), tmp_path / "source")
-    (tmp_path / "source" / "method.md").write_text("# Method\n\n{ref}`nowhere`\n")
+    (tmp_path / "source" / "bibliography.md").write_text("# Bibliography\n\n{ref}`nowhere`\n")
     (tmp_path / "html").mkdir()
     (tmp_path / "html" / "index.html").write_text("old")
     with pytest.raises(BookError) as caught:
         build(tmp_path / "source", tmp_path / "html")
-    assert "method.md:3: WARNING: undefined label: 'nowhere'" in str(caught.value)
+    assert "bibliography.md:3: WARNING: undefined label: 'nowhere'" in str(caught.value)
     assert str(tmp_path) not in str(caught.value)
     assert (tmp_path / "html" / "index.html").read_text() == "old"
 

@@ -84,6 +84,15 @@ def test_inverse_and_volume_of_an_arrangement() -> None:
     assert_allclose(omni_arrangement.image_volume(*ALPHA[::-1]), 8 / abs(determinant))
 
 
+def test_cofactors_and_determinant_with_the_lever_in_the_third_column() -> None:
+    matrix = wheel_matrix(ALPHA, L)
+    cofactors = np.linalg.inv(matrix).T * np.linalg.det(matrix)
+    assert_allclose(omni_arrangement.determinant(*ALPHA, L), np.linalg.det(matrix))
+    assert_allclose(omni_arrangement.cofactor_22(ALPHA[0], ALPHA[2], L), cofactors[1, 1])
+    # What the paper calls (1, 3) is where the inverse has it: the cofactor of (3, 1).
+    assert_allclose(omni_arrangement.cofactor_13(*ALPHA[:2], L), cofactors[2, 0])
+
+
 @pytest.mark.parametrize("theta", [0.3, -0.4, 2.5])
 def test_volume_of_the_isosceles_family(theta: float) -> None:
     wheels = [theta, np.pi - theta, 1.5 * np.pi]
@@ -135,6 +144,27 @@ def test_roller_turns_a_sphere_the_other_way() -> None:
     assert_allclose(np.cross(spin, [r, 0, 0]) @ np.array([0, -1, 0]), nu)
 
 
+def test_slip_is_the_sphere_over_the_roller() -> None:
+    """Contact x, tangent y, normal z; the roller drives along x cross its axis."""
+    spin, nu, alpha, r = np.array([0.5, -0.7, 0.4]), 0.3, 0.6, 0.2
+    contact, axis = np.array([r, 0, 0]), np.array([0, np.cos(alpha), np.sin(alpha)])
+    slip = np.cross(spin, contact) - nu * np.cross(contact / r, axis)
+    assert_allclose(two_roller_sphere.slip_along_normal(spin[1], nu, alpha, r), slip[2])
+
+
+def test_sum_of_squares() -> None:
+    assert_allclose(two_roller_sphere.sum_of_squares(3, 4), 25)
+
+
+def test_displacement_of_a_wheel_is_seen_from_its_frame() -> None:
+    """Small displacement of the wheel's centre, platform and turn, along the axes of its frame."""
+    d_x, d_y, turn = 0.003, -0.002, 0.004
+    frame = ballbot.body_from_wheel_1(PHI, L)
+    moved = np.array([d_x, d_y, 0]) + np.cross([0, 0, turn], frame[:3, 3])
+    expected = frame[:3, :3].T @ moved
+    assert_allclose(ballbot.wheel_1_displacement(d_x, d_y, turn, PHI, L), expected)
+
+
 def test_arrays_are_broadcast_and_entries_come_last() -> None:
     phi = np.array([0.2, 0.7])
     many = ballbot.wheel_matrix(phi, L)
@@ -171,4 +201,4 @@ EVERY = [
 def test_functions_have_types_and_name_their_equation(function: Callable[..., Array]) -> None:
     hints = typing.get_type_hints(function)
     assert set(hints) == {*inspect.signature(function).parameters, "return"}
-    assert any(word in str(function.__doc__) for word in ("Eq. (", "Section"))
+    assert any(word in str(function.__doc__) for word in ("Eq. (", "Section", "Appendix"))

@@ -58,7 +58,15 @@ ROWS = (
     row("eq:9/name", printed="L", note="differs from sec:1/name.", **PAIR),
     row("eq:10/a3[2]", follows="eq:6[2,3]", **SUM),
     row("eq:12", **ASKED),
-    row("eq:13", verdict="model-gap", printed="x"),
+    row("sec:3/premise", kind="relation", verdict="model-gap", printed="the floor moves",
+        correction="w = 0", witness=WITNESS),
+    row("eq:13[1]", verdict="verified", printed="q", derived="q"),
+    row("eq:13[2]", verdict="model-gap", printed="x", correction=r"x \cos a", derived=r"x \cos a",
+        assumption="the ball is at rest", follows="sec:3/premise", consequence="motion",
+        witness=WITNESS),
+    row("sec:4/same", kind="relation", verdict="model-gap", printed="it moves",
+        follows="sec:3/premise"),
+    row("eq:15", verdict="conditional", printed="z"),
     row("eq:14", verdict="verified", printed="y"),
 )  # fmt: skip
 CONTENT = corrigendum(Ledger(paper="p", claims=len(ROWS), rows=ROWS), EDITION)
@@ -69,9 +77,8 @@ def ids(items: Any) -> list[list[str]]:
 
 
 def text_of(data: bytes) -> str:
-    return " ".join(
-        " ".join(page.extract_text() for page in PdfReader(BytesIO(data)).pages).split()
-    )
+    text = " ".join(page.extract_text() for page in PdfReader(BytesIO(data)).pages)
+    return " ".join(text.replace("→", " → ").split())  # a tag may stand where the space was
 
 
 def test_corrections_stand_in_the_papers_order_and_a_misprint_once() -> None:
@@ -103,7 +110,21 @@ def test_a_contradiction_with_one_doubtful_side_is_asked() -> None:
 
 
 def test_what_is_no_matter_of_a_corrigendum_is_counted() -> None:
-    assert CONTENT.unlisted == {"model-gap": 1}
+    assert CONTENT.unlisted == {"conditional": 1}
+
+
+def test_what_rests_on_a_premise_stands_under_it() -> None:
+    (premise,) = CONTENT.premises
+    assert premise.root.id == "sec:3/premise"
+    assert premise.supposed == "the ball is at rest"
+    assert [[r.id for r in formula] for formula in premise.formulas] == [["eq:13[1]", "eq:13[2]"]]
+    assert [r.id for r in premise.statements] == ["sec:4/same"]
+
+
+def test_a_premise_without_a_row_of_its_own_is_the_first_place_that_rests_on_it() -> None:
+    rows = (row("eq:1", verdict="model-gap", printed="x", correction="y", follows="sec:9/none"),)
+    (premise,) = corrigendum(Ledger(paper="p", claims=1, rows=rows), EDITION).premises
+    assert (premise.root.id, premise.supposed, premise.statements) == ("eq:1", "", ())
 
 
 @pytest.mark.parametrize(
@@ -129,11 +150,34 @@ def test_place(claim: str, expected: str) -> None:
         pytest.param("4.6 → 4.7 (4.718)", id="decimal with the computed one"),
         pytest.param("(Section 1, name) ≠", id="contradiction"),
         pytest.param("Questions Text recognition may have made these.", id="questions apart"),
-        pytest.param("Not listed: 1 model gap.", id="what is not listed"),
+        pytest.param("Section 3, premise (#sec-3-premise) states: the floor moves.", id="premise"),
+        pytest.param("This supposes that the ball is at rest.", id="what it supposes"),
+        pytest.param("The same premise is behind: Section 4, same.", id="what rests on it"),
+        pytest.param("Not listed: 1 conditional.", id="what is not listed"),
     ],
 )
 def test_pdf_says(words: str) -> None:
     assert words in text_of(pdf(CONTENT))
+
+
+def test_pdf_is_accessible() -> None:
+    """Tagged, with a title and a language, and every formula in words: PDF/UA-1."""
+    reader = PdfReader(BytesIO(pdf(CONTENT)))
+    catalogue = reader.trailer["/Root"]
+    assert catalogue["/MarkInfo"]["/Marked"]
+    assert catalogue["/Lang"] == "en"
+    assert "pdfuaid:part" in catalogue["/Metadata"].get_data().decode()
+    assert {"sin a + sin b", "sin a - sin b"} <= spoken_in(catalogue["/StructTreeRoot"])
+
+
+def spoken_in(element: Any) -> set[str]:
+    """Return the alternative texts below an element of the structure tree."""
+    found = {str(element["/Alt"])} if "/Alt" in element else set()
+    kids = element.get("/K", [])
+    for kid in kids if isinstance(kids, list) else [kids]:
+        below = kid.get_object()
+        found |= spoken_in(below) if hasattr(below, "get") else set()
+    return found
 
 
 def test_pdf_has_no_date_and_embeds_its_fonts_and_the_same_bytes_twice() -> None:

@@ -9,13 +9,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omniproof.audit.ledger import Ledger, Row, Verdict
+from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor
 from omniproof.report.fragments import Chapter, Overview, in_text, values
 from omniproof.report.fragments.base import results_folder
 from omniproof.report.fragments.claims import row_html, witness_html
 from omniproof.report.fragments.figures import About, figure_html
 from omniproof.report.fragments.overview import paper_html
-from omniproof.report.fragments.theorems import markdown
+from omniproof.report.fragments.theorems import Step, Theorem, theorem_markdown
 from omniproof.transcription.model import Edition, Kind
 
 ALLOWED = {"article", "details", "summary", "span", "code", "p", "dl", "div", "dt", "dd", "a"}
@@ -28,7 +29,6 @@ def show_everything(chapter: Chapter) -> str:
         chapter.table("tab:2["),
         chapter.listing("tab:1[", "xref"),
         chapter.figure(5),
-        chapter.all_theorems(),
         chapter.rest(),
     ]
     return "".join(fragment.html for fragment in fragments)
@@ -171,15 +171,61 @@ def test_a_figure_that_nobody_drew_is_named(chapter: Chapter) -> None:
         chapter.figure(9)
 
 
-def test_a_theorem_has_statement_and_proof(chapter: Chapter, outline: type) -> None:
-    found = outline(chapter.theorem("thm:one-measure").html)
-    assert found.ids == ["thm-one-measure"]
-    assert r"\[D_V = \frac{8}{|\det \mathbf{A}|}.\]" in found.text
-    assert found.tags.count("li") == 2
+def test_a_theorem_has_label_statement_and_proof(chapter: Chapter) -> None:
+    text = chapter.theorem("thm:one-measure").markdown
+    assert text.startswith("`````{prf:theorem} ")
+    assert "\n:label: thm-one-measure\n" in text
+    assert r"$$D_V = \frac{8}{|\det \mathbf{A}|}.$$" in text
+    assert text.index("{prf:proof}") < text.index("\n1. ")
+    assert text.count("\n1. ") == 2
 
 
-def test_markdown_of_a_theorem_passes_no_html_on(outline: type) -> None:
-    assert "script" not in outline(markdown("<script>alert(1)</script> *so* $a<b$")).tags
+@pytest.mark.parametrize(
+    ("note", "rest", "others"),
+    [
+        pytest.param("It fails for $a$ or $b$ (1 or 2).", None, (), id="a set is no repair"),
+        pytest.param("a sum. or $a = 1$.", "a sum.", ("a = 1",), id="one other"),
+        pytest.param("or $a$, or $b$, or $c$", "", ("a", "b", "c"), id="nothing but repairs"),
+    ],
+)
+def test_other_repairs_leave_the_note(note: str, rest: str | None, others: tuple[str]) -> None:
+    assert alternatives(note) == (note if rest is None else rest, others)
+
+
+@pytest.mark.parametrize(
+    ("note", "folded"),
+    [
+        pytest.param("a sum. or $a$.", 0, id="one other stands in the open"),
+        pytest.param("a sum. or $a$, or $b$.", 1, id="two unfold"),
+    ],
+)
+def test_other_repairs_unfold(chapter: Chapter, outline: type, note: str, folded: int) -> None:
+    row = chapter.row("eq:6[1,2]").model_copy(update={"note": note})
+    page = outline(row_html(row, chapter.href))
+    assert page.tags.count("details") == folded
+    assert r"\(a\)" in page.text
+
+
+@pytest.mark.parametrize(
+    ("statement", "expected"),
+    [
+        pytest.param("<script> $a<b$", "&lt;script> $a<b$", id="no HTML, but in formulas"),
+        pytest.param(
+            "$M$ is regular ([above](one-mechanics.html#thm-one)).",
+            "$M$ is regular ({prf:ref}`thm-one`).",
+            id="a link to a theorem says its number",
+        ),
+    ],
+)
+def test_markdown_of_a_statement(statement: str, expected: str) -> None:
+    assert f"\n{expected}\n" in theorem_markdown(Theorem(id="thm:x", title="", statement=statement))
+
+
+def test_steps_stay_in_their_list() -> None:
+    """A display in a step is indented with it; the numbers are counted by the reader."""
+    step = Step(step="So\n\n$$a = b$$\n\nholds.", engines="flint")
+    text = theorem_markdown(Theorem(id="thm:x", title="", statement="", proof=(step,)))
+    assert "1. So\n\n   $$a = b$$\n\n   holds. [checked by FLINT]{.engines}\n````" in text
 
 
 @settings(deadline=None, max_examples=100)
@@ -277,12 +323,28 @@ def test_an_unknown_number_is_refused(overview: Overview) -> None:
         overview.count("pages")
 
 
-def test_most_consequential_puts_motion_before_numbers(overview: Overview, outline: type) -> None:
-    assert outline(overview.most_consequential().html).links == [
-        "omni-arrangement.html#eq-6-1-2",
-        "omni-arrangement.html#tab-2-Z-D_A",
-        "omni-arrangement.html#eq-C-6",
-    ]
+def test_headlines_say_what_the_ledger_has(overview: Overview, outline: type) -> None:
+    chosen = {
+        "omni-arrangement tab:2[Z,D_A]": "In Table 2, {printed} should read {correct}.",
+        "omni-arrangement eq:6[1,2]": r"A sign, by $2\pi$.",
+    }
+    page = outline(overview.headlines(chosen).html)
+    assert page.links == ["omni-arrangement.html#tab-2-Z-D_A", "omni-arrangement.html#eq-6-1-2"]
+    assert "In Table 2, 13.85 should read 13.86." in page.text.replace("\\(", "").replace("\\)", "")
+
+
+@pytest.mark.parametrize(
+    ("key", "words", "message"),
+    [
+        pytest.param("omni-arrangement eq:1", "x", "eq:1 is no finding", id="what is verified"),
+        pytest.param("omni-arrangement eq:99", "x", "eq:99 is no finding", id="what is not there"),
+        pytest.param("omni-arrangement eq:A.2/a13", "x", "is no finding whose", id="doubtful"),
+        pytest.param("omni-arrangement eq:6[1,2]", "by 5 %", r"write .* for 5 %", id="typed"),
+    ],
+)
+def test_a_headline_cannot_go_stale(overview: Overview, key: str, words: str, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        overview.headlines({key: words})
 
 
 def test_doubtful_findings_stand_apart(overview: Overview, outline: type) -> None:

@@ -80,6 +80,16 @@ def test_formulas_to_replace_bring_all_entries_and_come_once() -> None:
     assert found == [["eq:1[1]", "eq:1[2]"], ["sec:1/law"]]
 
 
+def test_a_misprint_once_more_needs_no_formula_of_its_own() -> None:
+    misprint = {"verdict": Verdict.ERRATUM, "printed": "-x", "correction": "x"}
+    rows = [
+        row("eq:1", **misprint),
+        row("eq:2", follows="eq:1", **misprint),
+        row("eq:3", follows="eq:1", **misprint | {"printed": "-x y", "correction": "x y"}),
+    ]
+    assert [group[0].id for group in replaced(ledger(*rows))] == ["eq:1", "eq:3"]
+
+
 def test_the_section_says_what_to_use_instead(chapter: Chapter, outline: type) -> None:
     html = chapter.survives().html
     text = outline(html).text

@@ -104,8 +104,7 @@ def topic(results: Path, tmp_path: Path) -> Topic:
 
 
 def test_topic_shows_theorems_and_drawings(topic: Topic, outline: type) -> None:
-    theorem = outline(topic.theorem("thm:one-measure").html)
-    assert theorem.ids[0] == "thm-one-measure"
+    assert ":label: thm-one-measure\n" in topic.theorem("thm:one-measure").markdown
     figure = outline(topic.figure("axes").html)
     assert figure.ids[0] == "figure-axes"
     assert figure.links == ["figures/wheels/figure-axes.svg", "figures/wheels/figure-axes.csv"]

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from omniproof.audit.ledger import Ledger
+from omniproof.report.code_pages import write_code
 from omniproof.report.fragments import Chapter, Overview
 from omniproof.report.validate import InvalidBookError, Page, validate_book
 
@@ -20,12 +21,13 @@ def html(tmp_path: Path, chapter: Chapter, overview: Overview, results: Path) ->
     """Pages without a theme, made of the fragments themselves."""
     pages = {
         CHAPTER: [chapter.counts(), chapter.figure(5), chapter.table("tab:2["), chapter.rest()],
-        "index.html": [overview.counts(), overview.most_consequential()],
+        "index.html": [overview.counts(), overview.headlines({"omni-arrangement eq:6[1,2]": "x"})],
     }
     for name, fragments in pages.items():
         body = "".join(fragment.html for fragment in fragments)
         (tmp_path / name).write_text(f"<title>x</title><main>{body}</main>", encoding="utf-8")
     shutil.copytree(results / "figures", tmp_path / "figures")
+    write_code(tmp_path)
     (tmp_path / "corrigenda").mkdir()
     for name in ("ledger.csv", "corrigenda/omni-arrangement.pdf"):
         (tmp_path / name).write_bytes(b"")
@@ -82,6 +84,21 @@ FAULTS = [
         id="a figure without alt text",
     ),
     pytest.param(
+        replaced(CHAPTER, 'figure-5.csv"', 'figure-5.svg"'),
+        [f"{CHAPTER}: #fig-5 has no link to its data"],
+        id="a figure without a link to its data",
+    ),
+    pytest.param(
+        replaced(CHAPTER, 'figure-5.svg"', 'figure-5.csv"'),
+        [f"{CHAPTER}: #fig-5 has no link to its drawing"],
+        id="a figure without a link to its drawing",
+    ),
+    pytest.param(
+        replaced(CHAPTER, "</main>", '<img src="ledger.csv"></main>'),
+        [f"{CHAPTER}: an image without alt text: ledger.csv"],
+        id="a picture without alt text",
+    ),
+    pytest.param(
         without("figures/omni-arrangement/figure-5.csv"),
         [f"{CHAPTER}: the link figures/omni-arrangement/figure-5.csv leads nowhere"],
         id="a figure without data",
@@ -102,6 +119,25 @@ FAULTS = [
         id="a script from elsewhere",
     ),
     pytest.param(
+        replaced(
+            CHAPTER,
+            "</main>",
+            '<img alt="x" src="ledger.csv" srcset="//a.example/x.png 2x, ledger.csv 3x"></main>',
+        ),
+        [f"{CHAPTER}: asks for //a.example/x.png, outside its folder"],
+        id="a picture from elsewhere",
+    ),
+    pytest.param(
+        replaced(CHAPTER, "</main>", "<p style=\"background: url('//a.example/x')\"></p></main>"),
+        [f"{CHAPTER}: asks for //a.example/x, outside its folder"],
+        id="a background from elsewhere",
+    ),
+    pytest.param(
+        replaced(CHAPTER, "</main>", '<style>@import "https://a.example/x.css"</style></main>'),
+        [f"{CHAPTER}: asks for https://a.example/x.css, outside its folder"],
+        id="a style from elsewhere",
+    ),
+    pytest.param(
         lambda html: (html / "s.css").write_text("a{background:url(//fonts.example/f.woff)}"),
         ["s.css: asks for //fonts.example/f.woff, outside its folder"],
         id="a font from elsewhere",
@@ -113,6 +149,16 @@ FAULTS = [
             f"{CHAPTER}: an unresolved reference: {{ref}}`",
         ],
         id="a reference that was not resolved",
+    ),
+    pytest.param(
+        without("index.html"),
+        ["index.html: the first page is missing"],
+        id="a first page that is missing",
+    ),
+    pytest.param(
+        replaced("index.html", 'data-paper="all" data-verdict="all"', 'data-paper="all"'),
+        ["index.html: no count of all, all; the ledger has 16"],
+        id="a sum over all papers that is not shown",
     ),
     pytest.param(
         without(CHAPTER),

@@ -19,6 +19,7 @@ RULE_FILES = [
     "corrigenda.smk",
     "book.smk",
     "crate.smk",
+    "architecture.smk",
 ]
 ORDER = [
     "name",

@@ -29,7 +29,7 @@ def sources(*modules: str, package: Path = PACKAGE) -> list[Path]:
         file = waiting.pop()
         if file is not None and file not in found:
             found.add(file)
-            waiting += [_file(package, module) for module in _imported(file, package.name)]
+            waiting += [_file(package, module) for module in imported(file, package.name)]
     return sorted(found)
 
 
@@ -43,7 +43,7 @@ def _file(package: Path, module: str) -> Path | None:
 
 
 @cache
-def _imported(file: Path, package: str) -> frozenset[str]:
+def imported(file: Path, package: str) -> frozenset[str]:
     """Return the dotted names below `package` that a file may import (some are no modules)."""
     names: set[str] = set()
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):

@@ -29,8 +29,8 @@ rule book:
         table="results/ledger.csv",
         theorems="results/theorems.json",
         tables=tables_of(*settings.papers),
-        figures=figures_of(*settings.told),
-        data=figures_of(*settings.told, suffix="csv"),
+        figures=[*figures_of(*settings.told), *architecture()],
+        data=[*figures_of(*settings.told, suffix="csv"), *architecture(suffix="csv")],
         corrigenda=corrigenda_of(*settings.papers),
         package=package("report.book"),
     output:
@@ -50,7 +50,7 @@ rule validate:
         index="book/_build/html/index.html",
         crate="book/_build/html/ro-crate-metadata.json",
         ledgers=ledgers_of(*settings.papers),
-        figures=figures_of(*settings.told),
+        figures=[*figures_of(*settings.told), *architecture()],
         package=package("report.validate"),
     output:
         validation="results/validation.txt",

@@ -101,6 +101,11 @@ def abouts_of(*papers):
     return [f"results/figures/{paper}/figures.json" for paper in papers]
 
 
+def architecture(suffix="svg"):
+    """Return the pictures of the project itself, or their data with suffix csv."""
+    return [f"results/figures/architecture/figure-{name}.{suffix}" for name in ("rules", "modules")]
+
+
 def corrigenda_of(*papers):
     """Return what can be sent to the authors of papers."""
     return [f"results/corrigenda/{paper}.pdf" for paper in papers]
@@ -133,12 +138,26 @@ def recordings_of(*models):
 
 def mutation_of(chapter):
     """Return the study of planted misprints, for the chapter that shows it."""
-    return ["results/mutation.json"] if chapter == "findings" else []
+    return ["results/mutation.json"] if chapter == "method" else []
 
 
 def simulation_of(chapter):
     """Return the numbers of the simulations, for the chapter that shows them."""
     return ["results/simulation/summary.csv"] if chapter == "simulation" else []
+
+
+def architecture_of(chapter):
+    """Return the pictures of the project itself, for the chapter that shows them."""
+    return [*architecture(), *abouts_of("architecture")] if chapter == "maintainers" else []
+
+
+def heads_of(chapter):
+    """Return the files whose heads say what the parts are for, for the chapter that lists them."""
+    if chapter != "maintainers":
+        return []
+    package, rules = Path("workflow/omniproof"), Path("workflow/rules")
+    files = [*package.glob("*.py"), *package.glob("*/__init__.py"), *rules.glob("*.smk")]
+    return sorted(map(str, files))
 
 
 def reported(kind, paper, numbers, files):

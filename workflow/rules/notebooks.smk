@@ -10,6 +10,8 @@ REQUIRED INPUTS:
     tables     = results/tables/{paper}/table-{number}.csv
     figures    = results/figures/{paper}/figure-{number}.svg
     abouts     = results/figures/{paper}/figures.json
+    architecture = results/figures/architecture/*
+    heads      = workflow/*
 
 OUTPUTS:
     chapter = results/notebooks/{chapter}.ipynb
@@ -27,6 +29,8 @@ rule notebook:
         tables=lambda wildcards: tables_of(*papers_of(wildcards.chapter)),
         figures=lambda wildcards: figures_of(*told_in(wildcards.chapter)),
         abouts=lambda wildcards: abouts_of(*told_in(wildcards.chapter)),
+        architecture=lambda wildcards: architecture_of(wildcards.chapter),
+        heads=lambda wildcards: heads_of(wildcards.chapter),
         package=lambda wildcards: [*package("report.notebook"), *code_of(wildcards.chapter)],
     output:
         chapter="results/notebooks/{chapter}.ipynb",

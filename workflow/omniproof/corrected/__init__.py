@@ -24,4 +24,7 @@ FUNCTIONS: Mapping[str, Functions] = {
     "two-roller-sphere": two_roller_sphere.FUNCTIONS,
     "three-roller-sphere": {},
 }
-"""Paper -> claim -> the function to use instead of what is printed there."""
+"""Paper -> claim -> the function to use instead of what is printed there.
+
+The paper on three rollers has no false formula, so it has no function.
+"""

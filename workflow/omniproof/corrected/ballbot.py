@@ -21,6 +21,16 @@ def body_from_wheel_2(phi: ArrayLike, L: ArrayLike) -> Array:
     return _TRANSFORM_2(phi=phi, L=L)
 
 
+def wheel_1_displacement(
+    d_x: ArrayLike, d_y: ArrayLike, delta_z: ArrayLike, phi: ArrayLike, L: ArrayLike
+) -> Array:
+    """Return a small displacement of wheel 1 in its own frame, m, `(..., 3)`: Eq. (6-2).
+
+    d_x, d_y: that of the platform, m; delta_z: its turn about the vertical, rad.
+    """
+    return _DISPLACEMENT(d_x_B=d_x, d_y_B=d_y, delta_z_B=delta_z, phi=phi, L=L)
+
+
 def wheel_1_speed(v_y: ArrayLike, omega_z: ArrayLike, phi: ArrayLike, L: ArrayLike) -> Array:
     """Return the speed of wheel 1 over the inner surface of the rolling ball, m/s: Eq. (7).
 
@@ -56,6 +66,7 @@ def body_matrix(phi: ArrayLike, L: ArrayLike) -> Array:
 _PAPER = "ballbot"
 _TRANSFORM_1 = Formula(_PAPER, "eq:5-1")
 _TRANSFORM_2 = Formula(_PAPER, "eq:5-2")
+_DISPLACEMENT = Formula(_PAPER, "eq:6-2")
 _WHEEL_1 = Formula(_PAPER, "eq:7")
 _WHEEL_2 = Formula(_PAPER, "eq:8")
 _WHEEL_3 = Formula(_PAPER, "eq:9")
@@ -65,6 +76,7 @@ _INVERSE = Formula(_PAPER, "eq:10/inverse")
 FUNCTIONS: Functions = {
     "eq:5-1": body_from_wheel_1,
     "eq:5-2": body_from_wheel_2,
+    "eq:6-2": wheel_1_displacement,
     "eq:7": wheel_1_speed,
     "eq:8": wheel_2_speed,
     "eq:9": wheel_3_speed,

@@ -39,15 +39,19 @@ def derived_form(registry: Registry, claim_id: str, convention: str = "") -> Any
 
 @dataclass(frozen=True)
 class Formula:
-    """What one claim of a paper ought to say, in SI units and radians."""
+    """What one claim of a paper ought to say, in SI units and radians.
+
+    `convention`: the reading under which the claim is derived, of one that depends on a reading.
+    """
 
     paper: str
     claim: str
+    convention: str = ""
 
     @cached_property
     def expression(self) -> Any:
         """SymPy expression or matrix. Raises `LookupError` when the claim derives none."""
-        form = derived_form(load_registry(self.paper), self.claim)
+        form = derived_form(load_registry(self.paper), self.claim, self.convention)
         if form is None:
             raise LookupError(f"{self.paper}: {self.claim} has no derived expression")
         return form

@@ -1,6 +1,7 @@
 """Corrected formulas of the paper on three omni rollers on a circle, for NumPy.
 
-Angles of the wheels in rad, counter-clockwise from x; arrays are broadcast.
+Angles of the wheels in rad, counter-clockwise from x; arrays are broadcast. Appendix A multiplies
+one more column by the body radius L (m) than Eq. (5) does, and its formulas stand as it means them.
 """
 
 from __future__ import annotations
@@ -25,6 +26,21 @@ def image_volume_isosceles(theta: ArrayLike) -> Array:
     return _ISOSCELES(theta=theta)
 
 
+def cofactor_22(alpha_1: ArrayLike, alpha_3: ArrayLike, L: ArrayLike) -> Array:
+    """Return the cofactor of entry (2, 2) of A with L in its third column, m: Eq. (A.2)."""
+    return _COFACTOR_22(alpha_1=alpha_1, alpha_3=alpha_3, L=L)
+
+
+def cofactor_13(alpha_1: ArrayLike, alpha_2: ArrayLike, L: ArrayLike) -> Array:
+    """Return the cofactor of entry (1, 3), as it stands in the inverse, m: Eq. (A.2)."""
+    return _COFACTOR_13(alpha_1=alpha_1, alpha_2=alpha_2, L=L)
+
+
+def determinant(alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, L: ArrayLike) -> Array:
+    """Return the determinant of A with L in its third column, m: Eq. (A.3)."""
+    return _DETERMINANT(alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, L=L)
+
+
 def height(columns: Array) -> Array:
     """Return the height of a parallelepiped over its first two edges, a length: Eq. (B.2).
 
@@ -47,6 +63,10 @@ _PAPER = "omni-arrangement"
 _INVERSE = Formula(_PAPER, "eq:6")
 _VOLUME = Formula(_PAPER, "eq:11")
 _ISOSCELES = Formula(_PAPER, "eq:12")
+_L_IN_COLUMN = "the unknown is the yaw rate: third column L"
+_COFACTOR_22 = Formula(_PAPER, "eq:A.2/a22", _L_IN_COLUMN)
+_COFACTOR_13 = Formula(_PAPER, "eq:A.2/a13", _L_IN_COLUMN)
+_DETERMINANT = Formula(_PAPER, "eq:A.3", _L_IN_COLUMN)
 _HEIGHT = Formula(_PAPER, "eq:B.2")
 _PARALLELEPIPED = Formula(_PAPER, "eq:B.3#2/volume")
 
@@ -54,6 +74,9 @@ FUNCTIONS: Functions = {
     "eq:6": inverse_times_determinant,
     "eq:11": image_volume,
     "eq:12": image_volume_isosceles,
+    "eq:A.2/a22": cofactor_22,
+    "eq:A.2/a13": cofactor_13,
+    "eq:A.3": determinant,
     "eq:B.2": height,
     "eq:B.3#2/volume": volume,
 }

@@ -1,6 +1,6 @@
 """Corrected formulas of the paper on a sphere driven by two rollers, for NumPy.
 
-Rim speeds in m/s, radius of the sphere in m; arrays are broadcast.
+Rim speeds in m/s, radius of the sphere in m, angles in rad; arrays are broadcast.
 """
 
 from __future__ import annotations
@@ -18,6 +18,30 @@ def spin_about_roller_axis(nu: ArrayLike, r: ArrayLike) -> Array:
     return _SPIN(nu_i=nu, r=r)
 
 
-_SPIN = Formula("two-roller-sphere", "sec:2.1/sum")
+def slip_along_normal(spin: ArrayLike, nu: ArrayLike, alpha: ArrayLike, r: ArrayLike) -> Array:
+    """Return the slip at a roller along the normal of the rollers' plane, m/s: Eq. (26).
 
-FUNCTIONS: Functions = {"sec:2.1/sum": spin_about_roller_axis}
+    spin: component of the sphere's spin along the tangent X in that plane, rad/s; nu, r: as in
+    `spin_about_roller_axis`; alpha: angle of the roller's axis from X, rad. It vanishes for the
+    spin that the paper chooses, and not for others.
+    """
+    # The third component of the slip; the spin along the normal is no part of it.
+    return _SLIP(w_2=spin, w_3=0.0, nu_i=nu, alpha_i=alpha, r=r)[..., 2]
+
+
+def sum_of_squares(d_1: ArrayLike, d_2: ArrayLike) -> Array:
+    """Return the sum that the optimal spin makes least, by both distances: Appendix (A)."""
+    return _SUM(d_1=d_1, d_2=d_2)
+
+
+_PAPER = "two-roller-sphere"
+_SPIN = Formula(_PAPER, "sec:2.1/sum")
+# What is derived for Eq. (26) itself is the 0 at its end; Eq. (23) has the slip for any spin.
+_SLIP = Formula(_PAPER, "eq:23")
+_SUM = Formula(_PAPER, "app:A/sum-of-squares")
+
+FUNCTIONS: Functions = {
+    "sec:2.1/sum": spin_about_roller_axis,
+    "eq:26": slip_along_normal,
+    "app:A/sum-of-squares": sum_of_squares,
+}

@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, read_json, schema
+from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
 from omniproof.report.theme import stylesheet
 
@@ -55,7 +56,7 @@ def stage(book: Path, results: Path, source: Path) -> None:
 
 
 def _stage_data(results: Path, extra: Path) -> None:
-    """Copy what the site offers for download, and write the findings."""
+    """Copy what the site offers for download, and write the findings and the code."""
     extra.mkdir()
     for name in DATA:
         origin = results / name
@@ -72,6 +73,7 @@ def _stage_data(results: Path, extra: Path) -> None:
     }
     for name, text in texts.items():
         (extra / name).write_text(text, encoding="utf-8")
+    write_code(extra)
 
 
 def build(source: Path, html: Path) -> None:

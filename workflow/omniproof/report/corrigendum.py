@@ -2,7 +2,8 @@
 
 It goes to the authors, so it holds only what stands on its own: faults whose source is clear. What
 text recognition may have made is asked, not stated. A misprint that recurs is one item with all
-its places, and two places that contradict each other are one item too.
+its places, and two places that contradict each other are one item too. Formulas that follow from a
+premise which mechanics contradicts are no misprints: they stand apart, under the premise.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from omniproof.report.latexfmt import CLAIM
 from omniproof.transcription.model import Edition, Kind, Source
 
 LISTED = frozenset({Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.INCONSISTENT})
+TOLD = LISTED | {Verdict.MODEL_GAP}
 REACHING = frozenset({Consequence.MOTION, Consequence.NUMBER})
 _CITES = re.compile(r"Reference: (sec|app) ((?:\w+ )+)cites ")
 _SECTIONS = {"sec": "Section {}, reference", "app": "Appendix ({}), reference"}
@@ -58,6 +60,25 @@ class Item:
 
 
 @dataclass(frozen=True)
+class Premise:
+    """A premise that mechanics contradicts: where it is made, and what rests on it.
+
+    `formulas` are the claims that would read otherwise, each with all its rows; `statements` are
+    in words.
+    """
+
+    root: Row
+    formulas: tuple[tuple[Row, ...], ...]
+    statements: tuple[Row, ...]
+
+    @property
+    def supposed(self) -> str:
+        """What the premise supposes, in words; empty where no derivation says it."""
+        rows = (row for formula in self.formulas for row in formula)
+        return next((row.assumption for row in rows if row.assumption), "")
+
+
+@dataclass(frozen=True)
 class Corrigendum:
     """Everything there is to say to the authors of one paper.
 
@@ -67,6 +88,7 @@ class Corrigendum:
     paper: str
     edition: Edition
     corrections: tuple[Item, ...]
+    premises: tuple[Premise, ...]
     contradictions: tuple[Item, ...]
     questions: tuple[Item, ...]
     unlisted: Mapping[Verdict, int]
@@ -87,9 +109,29 @@ def corrigendum(ledger: Ledger, edition: Edition) -> Corrigendum:
         paper=ledger.paper,
         edition=edition,
         corrections=tuple(item for item in clear if not item.is_contradiction),
+        premises=_premises(ledger),
         contradictions=tuple(item for item in clear if item.is_contradiction),
         questions=tuple(item for item in items if not item.is_clear),
-        unlisted={verdict: n for verdict, n in known.items() if verdict not in LISTED},
+        unlisted={verdict: n for verdict, n in known.items() if verdict not in TOLD},
+    )
+
+
+def _premises(ledger: Ledger) -> tuple[Premise, ...]:
+    """Gather what rests on each premise that mechanics contradicts, in order of place."""
+    gaps = [row for row in ledger.rows if row.verdict is Verdict.MODEL_GAP]
+    places = {row.id: row for row in gaps}
+    resting: dict[str, list[Row]] = {}
+    for row in gaps:
+        resting.setdefault(row.follows if row.follows in places else row.id, []).append(row)
+    return tuple(_premise(places[root], rows, ledger) for root, rows in resting.items())
+
+
+def _premise(root: Row, rows: Sequence[Row], ledger: Ledger) -> Premise:
+    names = dict.fromkeys(base(row.id) for row in rows if row.kind is Kind.IDENTITY)
+    return Premise(
+        root=root,
+        formulas=tuple(tuple(r for r in ledger.rows if base(r.id) == name) for name in names),
+        statements=tuple(r for r in rows if r.kind is not Kind.IDENTITY and r is not root),
     )
 
 

@@ -11,19 +11,22 @@ import re
 from bisect import bisect_left
 from collections.abc import Iterable
 from importlib.resources import files
+from typing import Final
 
 import typst
 
 from omniproof.audit.ledger import Consequence, Row
-from omniproof.report.anchors import anchor, index
-from omniproof.report.corrigendum import Corrigendum, Item, place
+from omniproof.report.anchors import anchor, base, index
+from omniproof.report.corrigendum import Corrigendum, Item, Premise, place
 from omniproof.report.fragments.base import sentences
-from omniproof.report.fragments.claims import symbol_latex
+from omniproof.report.fragments.claims import Group, matrix_of, symbol_latex
+from omniproof.report.fragments.survival import corrected_latex
 from omniproof.report.theme import MARKS
 from omniproof.report.typstmath import cell, contrasted, inline, is_formula, math, words
 from omniproof.transcription.model import Kind
 
 PAGES = 2
+ACCESSIBLE: Final = "ua-1"  # tags, and words for every formula: Typst refuses a document without
 LONGEST_WITNESS = 4  # values; a longer one says less than its place in the report
 LONGEST_LINE = 150  # characters of LaTeX; a longer formula gets the full width
 _SYMBOL = re.compile(r"[A-Za-z]+_\w+")
@@ -43,7 +46,9 @@ def pdf(content: Corrigendum) -> bytes:
 
     kept = minor - bisect_left(range(minor), True, key=fits)
     text = source(content, kept).encode()
-    return bytes(typst.compile(text, format="pdf", ignore_system_fonts=True))
+    return bytes(
+        typst.compile(text, format="pdf", ignore_system_fonts=True, pdf_standards=ACCESSIBLE)
+    )
 
 
 def pages(text: str) -> int:
@@ -61,6 +66,7 @@ def source(content: Corrigendum, minor: int) -> str:
         files("omniproof.report").joinpath("corrigendum.typ").read_text(encoding="utf-8"),
         _head(content),
         _call("corrections", map(_row, corrections)),
+        *map(_premise, content.premises),
         _call("contradictions", map(_pair, contradictions)),
         _call("questions", map(_row, content.questions)),
         _end(content, len(content.minor) - len(kept)),
@@ -104,6 +110,35 @@ def _row(item: Item) -> str:
     return (
         f"(place: [{name}], reach: {words(reach)}, address: {_address(lead)}, "
         f"wide: {str(wide).lower()}, body: [{body}], reason: [{_reason(item)}]),"
+    )
+
+
+def _premise(premise: Premise) -> str:
+    """Return a premise in a sentence, with what its formulas are to read without it."""
+    root = premise.root
+    named = {
+        "place": f"[{_place(root)}]",
+        "address": _address(root),
+        "says": f"[{cell(root.printed, _refer)}]",
+        "supposed": f"[{inline(premise.supposed, _refer)}]",
+        "law": f"[{cell(root.correction, _refer)}]",
+        "also": f"[{'; '.join(map(_place, premise.statements))}]",
+    }
+    lines = map(_formula, premise.formulas)
+    return _call("premise", [*(f"{name}: {text}," for name, text in named.items()), *lines])
+
+
+def _formula(rows: tuple[Row, ...]) -> str:
+    """Return one line of a premise's table: a formula as printed, and as it should read."""
+    group = Group(base(rows[0].id), rows)
+    printed = (group.whole or matrix_of(group, lambda row: row.printed)) or rows[0].printed
+    corrected = corrected_latex(group)
+    reach = next((row.consequence for row in rows if row.consequence), "")
+    faulty = next(row for row in rows if row.verdict.is_fault)
+    return (
+        f"(place: [{_refer(group.base)}], reach: {words(reach)}, address: {_address(faulty)}, "
+        f"wide: false, body: [#change([{math(printed)}], [{math(corrected)}])], "
+        f"reason: [{_counterexample(faulty)}]),"
     )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib import import_module
 from pathlib import Path
 
@@ -32,14 +32,19 @@ def write_figures(paper: str, folder: Path, results: Path) -> None:
     The JSON file has a record for each figure: number or name, title, alt text and
     caption. Drawings that show simulations find them in the folder of `results`.
     """
+    write_drawings(load_figures(paper).values(), paper, folder, results)
+
+
+def write_drawings(drawings: Iterable[Drawing], name: str, folder: Path, results: Path) -> None:
+    """Write drawings and what is said of them; `name` starts the ids in the pictures."""
     records = [
         _write(
             drawing,
             drawing.frame(results),
-            folder / f"figure-{number}",
-            f"{paper}-figure-{number}",
+            folder / f"figure-{drawing.number}",
+            f"{name}-figure-{drawing.number}",
         )
-        for number, drawing in load_figures(paper).items()
+        for drawing in drawings
     ]
     text = json.dumps(records, indent=1, ensure_ascii=False)
     (folder / "figures.json").write_text(text + "\n", encoding="utf-8")

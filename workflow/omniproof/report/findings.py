@@ -72,27 +72,28 @@ def sentence(row: Row, *, short: bool = False) -> str:
     `short`: leave out printed words and the left side that two formulas share.
     """
     words = not is_latex(row.printed)
-    printed = "" if short and words else _quoted(row.printed)
+    printed = "" if short and words else quoted(row.printed)
     if row.correction:
         return _corrected(row, printed, words=words, short=short)
     if row.assumption:
         link = ": only when" if words and printed else " holds only when"
-        return f"{printed}{link} {_quoted(row.assumption)}".strip()
+        return f"{printed}{link} {quoted(row.assumption)}".strip()
     return row.note or row.printed
 
 
 def _corrected(row: Row, printed: str, *, words: bool, short: bool) -> str:
-    correct = _quoted(row.correction)
+    correct = quoted(row.correction)
     if not words and is_latex(row.correction):
-        printed, correct = map(_quoted, differing(row.printed, row.correction))
+        printed, correct = map(quoted, differing(row.printed, row.correction))
     left, sign, right = row.correction.partition("=")
     if short and sign and row.printed.startswith(left + sign):
-        return f"{_quoted(row.printed.removeprefix(left + sign))} should read {_quoted(right)}"
+        return f"{quoted(row.printed.removeprefix(left + sign))} should read {quoted(right)}"
     link = ": in fact" if words and row.kind is Kind.RELATION and printed else " should read"
     return f"{printed}{link} {correct}".strip()
 
 
-def _quoted(text: str) -> str:
+def quoted(text: str) -> str:
+    """Return a cell of the ledger for running text: a formula between dollar signs."""
     text = text.strip()
     return f"${text}$" if is_latex(text) else text
 

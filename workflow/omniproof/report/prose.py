@@ -53,7 +53,12 @@ class Prose:
 
     def typed_numbers(self) -> Iterator[str]:
         """Give each number of the prose that is neither marked nor part of a label or name."""
-        text = " ".join("".join(self._parts).split())
-        for pattern in (_LABEL, _NAME):
-            text = pattern.sub(" ", text)
-        yield from dict.fromkeys(_NUMBER.findall(text))
+        yield from numbers_in("".join(self._parts))
+
+
+def numbers_in(text: str) -> Iterator[str]:
+    """Give each number of a plain text that is no part of a label or name, once."""
+    text = " ".join(text.split())
+    for pattern in (_LABEL, _NAME):
+        text = pattern.sub(" ", text)
+    yield from dict.fromkeys(_NUMBER.findall(text))

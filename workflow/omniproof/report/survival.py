@@ -92,7 +92,8 @@ def _root(row: Row, rows: Mapping[str, Row]) -> Row:
 
 def replaced(ledger: Ledger) -> tuple[tuple[Row, ...], ...]:
     """Return the formulas with another one to use instead, each with all its entries."""
-    wrong = {base(row.id) for row in ledger.rows if _has_another(row)}
+    rows = {row.id: row for row in ledger.rows}
+    wrong = {base(row.id) for row in ledger.rows if _has_another(row, rows)}
     groups: dict[str, list[Row]] = {}
     for row in ledger.rows:
         if base(row.id) in wrong:
@@ -100,12 +101,18 @@ def replaced(ledger: Ledger) -> tuple[tuple[Row, ...], ...]:
     return tuple(tuple(group) for group in groups.values())
 
 
-def _has_another(row: Row) -> bool:
+def _has_another(row: Row, rows: Mapping[str, Row]) -> bool:
     if row.kind is Kind.IDENTITY:
-        again = row.verdict is Verdict.ERRATUM and row.follows  # the same misprint in another place
-        return row.verdict.is_fault and not again and bool(row.correction or row.derived)
+        right = row.correction or row.derived
+        return row.verdict.is_fault and bool(right) and not _recurs(row, rows)
     falls = row.kind is Kind.RELATION and fate(row) is Fate.FALLS and not row.follows
     return falls and is_latex(row.correction)
+
+
+def _recurs(row: Row, rows: Mapping[str, Row]) -> bool:
+    """Whether a row is a misprint once more: reads as the one that it follows, and should, too."""
+    first = rows.get(row.follows)
+    return first is not None and (first.printed, first.correction) == (row.printed, row.correction)
 
 
 def tally(rows: Iterable[Row]) -> Sequence[tuple[Fate, int]]:

@@ -15,11 +15,13 @@ from difflib import SequenceMatcher
 from itertools import zip_longest
 from typing import TypeAlias
 
-from omniproof.report.latexfmt import GREEK, PIECE, TAG, is_latex
+from omniproof.report.latexfmt import GREEK, PIECE, TAG, is_latex, plain
 from omniproof.transcription.model import ID
 
 _TOKEN = re.compile(r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+|\\.|\d+(?:\.\d+)?|\s+|.", re.DOTALL)
 _TEXT = re.compile(r"\\(?:text|textbf|mathrm|operatorname)\s*\{([^{}\\$]*)\}")
+_MATRIX = re.compile(r"\\begin\{[bpv]?matrix\}(.*?)\\end\{[bpv]?matrix\}", re.DOTALL)
+_NEW_ROW = "\\\\"
 MAX_DEPTH = 64
 
 _VARIANTS = {"phi": "phi.alt", "varphi": "phi", "epsilon": "epsilon.alt", "varepsilon": "epsilon"}
@@ -94,7 +96,7 @@ def words(text: str) -> str:
 def math(latex: str) -> str:
     """Return Typst markup of a formula; of one that cannot be set, its LaTeX as code."""
     try:
-        return f"${source(read(latex))}$"
+        return _equation(source(read(latex)), latex)
     except UnsettableError:
         return _code(latex)
 
@@ -118,7 +120,23 @@ def contrasted(printed: str, corrected: str) -> tuple[str, str]:
         return math(printed), math(corrected)
     if not set(one) & set(two):
         return math(printed), math(corrected)
-    return f"${_marked(one, two, 'old')}$", f"${_marked(two, one, 'new')}$"
+    marked = _marked(one, two, "old"), _marked(two, one, "new")
+    return _equation(marked[0], printed), _equation(marked[1], corrected)
+
+
+def _equation(text: str, latex: str) -> str:
+    """Return an equation with its text for those who hear it (PDF/UA asks for one)."""
+    return f"#math.equation(alt: {words(spoken(latex))}, ${text}$);"
+
+
+def spoken(latex: str) -> str:
+    r"""Return a formula as text for a screen reader: `\sin\alpha_1` gives `sin α₁`.
+
+    A matrix is read by rows: `(a, b; c, d)`.
+    """
+    rows = _MATRIX.sub(lambda m: f"({m[1].replace('&', ',').replace(_NEW_ROW, ';')})", latex)
+    apart = re.sub(r"(\\(?:sin|cos|tan))(?=\\)", r"\1 ", rows)
+    return plain(apart.replace(r"\{", "(").replace(r"\}", ")"))
 
 
 def inline(text: str, refer: Callable[[str], str]) -> str:

@@ -17,6 +17,8 @@ from urllib.parse import unquote, urlsplit
 
 from omniproof.audit.ledger import Ledger, Verdict
 from omniproof.report.anchors import unique_anchors
+from omniproof.report.cards import card_faults
+from omniproof.report.derived import Derived
 from omniproof.report.fragments.counts import ALL, verdict_counts
 from omniproof.report.prose import Prose
 
@@ -25,7 +27,8 @@ _CSS_URL = re.compile(r"(?:url\(\s*['\"]?|@import\s+['\"])((?:https?:)?//[^'\")\
 _RAW = frozenset({"script", "style", "pre", "code", "title"})
 _FETCHED = {"script": "src", "img": "src", "link": "href", "iframe": "src", "source": "src",
             "video": "src", "audio": "src", "object": "data", "embed": "src", "image": "href",
-            "use": "href"}  # fmt: skip
+            "use": "href", "input": "src", "track": "src"}  # fmt: skip
+_ALSO_FETCHED = ("poster", "background")
 _NO_REQUEST = frozenset({"canonical", "search", "index", "next", "prev", "author", "copyright"})
 
 
@@ -95,6 +98,10 @@ class Page(HTMLParser):
         target = found.get(_FETCHED.get(tag, ""), "")
         if target and not (tag == "link" and found.get("rel") in _NO_REQUEST):
             self.requests.append(target)
+        self.requests += [found[name] for name in _ALSO_FETCHED if found.get(name)]
+        choices = found.get("srcset", "").split(",")
+        self.requests += [choice.split()[0] for choice in choices if choice.strip()]
+        self.requests += _CSS_URL.findall(found.get("style", ""))
         if tag == "img" and not found.get("alt") and found.get("role") != "presentation":
             self.pictures_without_alt.append(found.get("src", ""))
 
@@ -119,6 +126,8 @@ class Page(HTMLParser):
     def handle_data(self, data: str) -> None:
         """Note running text and counts."""
         self.prose.add(data)
+        if self._open and self._open[-1] == "style":
+            self.requests += _CSS_URL.findall(data)
         if self._count is not None:
             self.counts.setdefault(self._count, []).append(data.strip())
         if not self._open:
@@ -138,6 +147,7 @@ def validate_book(html: Path, ledgers: Sequence[Ledger], figures: Iterable[Path]
     faults = [
         *_sum_faults(pages.get("index.html"), ledgers),
         *(fault for ledger in ledgers for fault in _chapter_faults(pages, ledger)),
+        *(fault for ledger in ledgers for fault in _card_faults(html, ledger)),
         *(fault for path in figures for fault in _shown_faults(pages, path)),
         *(fault for page in pages.values() for fault in _page_faults(html, page, pages)),
         *_style_faults(html),
@@ -162,9 +172,18 @@ def _chapter_faults(pages: dict[str, Page], ledger: Ledger) -> Iterator[str]:
             yield from _count_faults(shown, ledger.paper, expected)
 
 
+def _card_faults(html: Path, ledger: Ledger) -> Iterator[str]:
+    """What the cards of a chapter lack; a chapter that is missing has been named before."""
+    page = html / f"{ledger.paper}.html"
+    if page.is_file():
+        text = page.read_text(encoding="utf-8")
+        yield from card_faults(page.name, text, ledger, Derived(ledger))
+
+
 def _sum_faults(index: Page | None, ledgers: Sequence[Ledger]) -> Iterator[str]:
-    """The sums over all papers, where the first page shows them."""
-    if index is None or (ALL, "all") not in index.counts:
+    """The sums over all papers on the first page."""
+    if index is None:
+        yield "index.html: the first page is missing"
         return
     total = sum(map(verdict_counts, ledgers), Counter[Verdict]())
     expected = {str(verdict): number for verdict, number in total.items()}
@@ -198,8 +217,9 @@ def _page_faults(html: Path, page: Page, pages: dict[str, Page]) -> Iterator[str
     for figure in page.figures:
         if not figure.alt:
             yield f"{page.name}: #{figure.address} has no alt text"
-        if not any(link.endswith(".csv") for link in figure.links):
-            yield f"{page.name}: #{figure.address} has no link to its data"
+        for suffix, what in ((".csv", "data"), (".svg", "drawing")):
+            if not any(link.endswith(suffix) for link in figure.links):
+                yield f"{page.name}: #{figure.address} has no link to its {what}"
     for target in page.requests:
         if urlsplit(target).scheme in {"http", "https"} or target.startswith("//"):
             yield f"{page.name}: asks for {target}, outside its folder"

@@ -7,9 +7,10 @@ MathJax to look into, whatever surrounds it.
 
 from omniproof.report.fragments.base import Fragment
 from omniproof.report.fragments.chapter import Chapter
+from omniproof.report.fragments.coverage import Coverage
 from omniproof.report.fragments.mutation import Mutation
 from omniproof.report.fragments.overview import Overview
 from omniproof.report.fragments.topic import Topic
 from omniproof.report.fragments.values import in_text
 
-__all__ = ["Chapter", "Fragment", "Mutation", "Overview", "Topic", "in_text"]
+__all__ = ["Chapter", "Coverage", "Fragment", "Mutation", "Overview", "Topic", "in_text"]

@@ -38,6 +38,17 @@ class Fragment:
         return {"text/html": self.html, "text/plain": self.name}
 
 
+@dataclass(frozen=True)
+class Written:
+    """MyST Markdown for Sphinx to read: what it numbers and other pages refer to."""
+
+    markdown: str
+    name: str
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        return {"text/markdown": self.markdown, "text/plain": self.name}
+
+
 def results_folder(start: Path | None = None) -> Path:
     """Return the folder of results: `OMNIPROOF_RESULTS`, else `results` here or in a parent folder.
 

@@ -15,6 +15,7 @@ from omniproof.report.derived import Derived
 from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.base import (
     Fragment,
+    Written,
     corrigendum_link,
     link,
     results_folder,
@@ -25,7 +26,7 @@ from omniproof.report.fragments.counts import accounting_html
 from omniproof.report.fragments.figures import drawn_html
 from omniproof.report.fragments.survival import survives_html
 from omniproof.report.fragments.tables import Labels, beside_html, grid_html, list_html
-from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_html
+from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_markdown
 from omniproof.report.fragments.values import Value
 from omniproof.report.latexfmt import cell
 
@@ -70,15 +71,14 @@ class Chapter:
     ) -> Fragment:
         """Show a table of numbers, printed beside computed; headings by the names in the ids."""
         found = self._take(selectors)
-        html = beside_html(found, self.href, columns or {}, rows or {})
+        html = beside_html(found, self.href, columns or {}, rows or {}, self._derived)
         return Fragment(self._boxed(found, html), f"table {' '.join(selectors)}")
 
     def listing(self, *selectors: str) -> Fragment:
         """Show claims as a list of one line each: a nomenclature, references, spelling."""
         found = self._take(selectors)
-        return Fragment(
-            self._boxed(found, list_html(found, self.href)), f"list {' '.join(selectors)}"
-        )
+        html = list_html(found, self.href, self._derived)
+        return Fragment(self._boxed(found, html), f"list {' '.join(selectors)}")
 
     def grid(self, head: Sequence[str], rows: Iterable[Sequence[str]]) -> Fragment:
         """Show computed cells (text with `$math$`) under column heads; the first names the row."""
@@ -100,14 +100,14 @@ class Chapter:
         html = drawn_html(self.results, self.ledger.paper, number, address)
         return Fragment(html, f"figure {number}")
 
-    def theorem(self, theorem_id: str) -> Fragment:
+    def theorem(self, theorem_id: str) -> Written:
         """Show one theorem with its proof. Raises `KeyError` when there is no such theorem."""
         found = {theorem.id: theorem for theorem in self.theorems}[theorem_id]
-        return Fragment(theorem_html(found), theorem_id)
+        return Written(theorem_markdown(found), theorem_id)
 
-    def all_theorems(self) -> Fragment:
+    def all_theorems(self) -> Written:
         """Show all theorems that concern this paper."""
-        return Fragment("".join(theorem_html(t) for t in self.theorems), "theorems")
+        return Written("\n".join(map(theorem_markdown, self.theorems)), "theorems")
 
     def counts(self) -> Fragment:
         """Show the verdicts of this paper as a bar and a table, and link to its corrigendum."""

@@ -8,8 +8,10 @@ from dataclasses import dataclass
 from html import escape
 
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
+from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor, base, index
 from omniproof.report.changes import Changes, changes
+from omniproof.report.code_pages import code_link
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.base import (
     Href,
@@ -35,6 +37,9 @@ ENGINES: Mapping[str, str] = {
     "z3": "Z3",
     "arb": "Arb balls",
     "modular": "modular arithmetic",
+    "text": "comparison of texts",
+    "exact": "exact arithmetic",
+    "signs": "signs of balls",
     "read": "reading",
 }
 REPAIRS: Mapping[Repair, str] = {
@@ -175,7 +180,8 @@ def row_html(
         f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
         f'<span class="printed">{"" if bare else cell(printed)}</span>'
     )
-    note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
+    said, _ = alternatives(row.note)
+    note = f'<p class="note">{note_html(said, href)}</p>' if said else ""
     facts = facts_html(row, href, derived, changed)
     if row.verdict not in FOLDED:
         return (
@@ -216,6 +222,7 @@ def _facts(row: Row, href: Href, changed: Changes | None) -> Sequence[tuple[str,
         ("derived", "" if shown_already else cell(row.derived)),
         ("should read", cell(correction, lambda claim: link(claim, href))),
         ("change", changes_html(changed)),
+        ("or", others_html(alternatives(row.note)[1])),
         ("true when", cell(row.assumption)),
         ("counterexample", witness_html(row.witness)),
         ("exact value", interval_html(row)),
@@ -232,13 +239,27 @@ def _evidence(row: Row, href: Href, derived: Derived | None) -> Sequence[tuple[s
     source = derived.source(row.id) if derived else ""
     return (
         ("decided by", decided_by(row)),
-        ("derivation", f"<code>{escape(source)}</code>" if source else ""),
+        ("derivation", derivation_html(source)),
         (
             "address",
             f'<a class="address" href="{_own(row, href)}">{escape(row.id)}</a> in '
             '<a href="ledger.csv">ledger.csv</a>',
         ),
     )
+
+
+def derivation_html(source: str) -> str:
+    """Return file and line of a derivation as a link to its code."""
+    link = f'<a href="{escape(code_link(source))}"><code>{escape(source)}</code></a>'
+    return link if source else ""
+
+
+def others_html(repairs: Sequence[str]) -> str:
+    """Return the other repairs of a formula; several of them unfold."""
+    if len(repairs) < 2:
+        return "".join(map(cell, repairs))
+    items = "".join(f"<li>{cell(latex)}</li>" for latex in repairs)
+    return f"<details><summary>{len(repairs)} other repairs</summary><ul>{items}</ul></details>"
 
 
 def changes_html(changed: Changes | None) -> str:

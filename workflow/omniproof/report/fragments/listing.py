@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from html import escape
 
 from omniproof.audit.ledger import Consequence, Row
+from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor
 from omniproof.report.changes import changes
 from omniproof.report.findings import GRAVITY, REACH
@@ -22,8 +23,8 @@ HEAD = ("paper", "place", "verdict", "kind", "changes", "finding")
 
 
 def listing_html(rows: Iterable[Row], href: Mapping[str, Href]) -> str:
-    """Return findings, given in order of place, as one table: those first that reach furthest."""
-    placed = sorted(enumerate(rows), key=lambda found: REACH.index(reach_of(found[1])))
+    """Return findings, given in order of place, as one table: by reach, then by gravity."""
+    placed = sorted(enumerate(rows), key=lambda found: _rank(found[1]))
     lines = [_line(place, row, href[row.paper]) for place, row in placed]
     if not lines:
         return "<p>None.</p>"
@@ -38,6 +39,10 @@ def place_html(row: Row) -> str:
 def reach_of(row: Row) -> Consequence:
     """Return how far a finding reaches; one without a consequence is about the text."""
     return row.consequence or Consequence.TEXT
+
+
+def _rank(row: Row) -> tuple[int, int]:
+    return REACH.index(reach_of(row)), GRAVITY.index(row.verdict)
 
 
 def _line(place: int, row: Row, href: Href) -> str:
@@ -65,7 +70,9 @@ def _finding(row: Row, href: Href) -> str:
     printed = changed.printed if changed else row.printed
     correct = changed.corrected if changed else row.correction or row.derived
     follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
-    note = note_html(row.note, href) + follows
+    said, others = alternatives(row.note)
+    more = f" Other repairs: {len(others)}." if others else ""
+    note = note_html(said, href) + more + follows
     lines = (
         _labelled(_printed(row), printed, href),
         _labelled("correct", correct, href),

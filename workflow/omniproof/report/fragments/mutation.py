@@ -9,6 +9,14 @@ from pydantic import BaseModel, ConfigDict
 
 from omniproof.report.fragments.base import Fragment, results_folder, table
 
+COLUMNS = {
+    "planted": "mutants",
+    "differ": "different",
+    "flagged": "flagged",
+    "repaired": "repaired",
+}
+"""Heads of the table, with the figures that they stand for."""
+
 
 class ByKind(BaseModel):
     """Figures for one kind of misprint."""
@@ -46,9 +54,9 @@ class Mutation(BaseModel):
     def by_kind(self) -> Fragment:
         """Show how many misprints of each kind were planted, flagged and repaired."""
         rows = (
-            f'<tr><th scope="row">{name}</th><td>{kind.mutants}</td><td>{kind.different}</td>'
-            f"<td>{kind.flagged}</td><td>{kind.repaired}</td></tr>"
+            f'<tr><th scope="row">{name}</th>'
+            + "".join(f'<td class="number">{getattr(kind, word)}</td>' for word in COLUMNS.values())
+            + "</tr>"
             for name, kind in self.kinds.items()
         )
-        head = ("misprint", "planted", "differ", "flagged", "repaired")
-        return Fragment(table(head, rows), "planted misprints")
+        return Fragment(table(["misprint", *COLUMNS], rows, "counted"), "planted misprints")

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from html import escape
 from pathlib import Path
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, read_json
-from omniproof.report.findings import REACH, consequential, findings, sentence, uncheckable_class
+from omniproof.report.findings import REACH, findings, quoted, uncheckable_class
 from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.assumptions import assumptions_html
 from omniproof.report.fragments.base import (
@@ -24,10 +25,12 @@ from omniproof.report.fragments.listing import listing_html, place_html, reach_o
 from omniproof.report.fragments.theorems import Theorem, read_theorems
 from omniproof.report.fragments.values import Value
 from omniproof.report.latexfmt import inline
+from omniproof.report.prose import numbers_in
 from omniproof.settings import read_settings
 from omniproof.transcription.model import Edition, Source, Uncheckable
 from omniproof.transcription.paperfile import load_document
 
+_MATH = re.compile(r"\$[^$]*\$")
 DECIDED_BY: Mapping[str, str] = {
     Uncheckable.FIGURE_NOT_SEEN: "a look at the figure in the PDF",
     Uncheckable.SOURCE_LOST: "the place in the PDF, which text recognition lost",
@@ -97,13 +100,16 @@ class Overview:
             number = numbers[what]
         return Value(str(number))
 
-    def most_consequential(self, limit: int = 10) -> Fragment:
-        """Show the findings that matter most, one sentence and a link each."""
-        items = "".join(
-            f"<li>{badge(row.verdict)} {_named(row)}: {inline(sentence(row))}</li>"
-            for row in consequential(self.ledgers, limit)
-        )
-        return Fragment(f'<ol class="consequential">{items}</ol>', "most consequential findings")
+    def headlines(self, chosen: Mapping[str, str]) -> Fragment:
+        """Show findings in words of our own, in the order given, each with its verdict and a link.
+
+        chosen: by paper and id (`omni-trajectory eq:8`) a sentence, in which `{printed}` and
+        `{correct}` stand for what the ledger has. Raises `ValueError` for what is no finding, or
+        would be no charge against the paper, and for a number that is typed.
+        """
+        rows = {f"{r.paper} {r.id}": r for r in self._all_findings() if r.source is Source.CLEAR}
+        items = "".join(_headline(rows.get(key), key, words) for key, words in chosen.items())
+        return Fragment(f'<ol class="headlines">{items}</ol>', "findings that matter most")
 
     def uncheckable(self) -> Fragment:
         """Show how many claims nothing at hand decides, by class, and what would decide them."""
@@ -189,5 +195,14 @@ def _titled(paper: str, edition: Edition) -> str:
     return f'<a href="{escape(paper)}.html"><cite>{escape(edition.title)}</cite></a>'
 
 
-def _named(row: Row) -> str:
-    return f'{place_html(row)} <span class="quiet">in {escape(row.paper)}</span>'
+def _headline(row: Row | None, key: str, words: str) -> str:
+    """Return one finding as an item of a list: the sentence, the verdict, the place."""
+    if row is None:
+        raise ValueError(f"{key} is no finding whose source is clear")
+    typed = [*numbers_in(_MATH.sub("", words))]
+    if typed:
+        raise ValueError(f"{key}: write {{printed}} or {{correct}} for {', '.join(typed)}")
+    correct = quoted(row.correction or row.assumption or row.derived)
+    said = words.replace("{printed}", quoted(row.printed)).replace("{correct}", correct)
+    place = f'{place_html(row)} <span class="quiet">in {escape(row.paper)}</span>'
+    return f"<li>{inline(said)}<br>{badge(row.verdict)} {place}</li>"

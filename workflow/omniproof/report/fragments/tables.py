@@ -7,14 +7,22 @@ from html import escape
 
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.report.anchors import anchor, index
+from omniproof.report.changes import changes
+from omniproof.report.derived import Derived
 from omniproof.report.fragments.base import Href, badge, interval_html, link, note_html, table
-from omniproof.report.fragments.claims import row_html
+from omniproof.report.fragments.claims import facts_html, row_html
 from omniproof.report.latexfmt import cell, inline
 
 Labels = Mapping[str, str]
 
 
-def beside_html(rows: Sequence[Row], href: Href, columns: Labels, lines: Labels) -> str:
+def beside_html(
+    rows: Sequence[Row],
+    href: Href,
+    columns: Labels,
+    lines: Labels,
+    derived: Derived | None = None,
+) -> str:
     """Return a grid of cells (printed, exact, interval, verdict), then the cards of the faults.
 
     `columns`, `lines`: headings of the columns and rows by their name in the ids.
@@ -29,7 +37,7 @@ def beside_html(rows: Sequence[Row], href: Href, columns: Labels, lines: Labels)
         label = inline(lines.get(side, side))
         body.append(f'<tr><th scope="row">{label}</th>{cells}</tr>')
     faults = [row for row in rows if row.verdict is not Verdict.VERIFIED]
-    cards = "".join(row_html(row, href, addressed=False) for row in faults)
+    cards = "".join(row_html(row, href, addressed=False, derived=derived) for row in faults)
     return table(head, body, "beside") + cards
 
 
@@ -43,13 +51,21 @@ def _cell(row: Row | None) -> str:
     )
 
 
-def list_html(rows: Sequence[Row], href: Href) -> str:
-    """Return one line per row: printed, verdict, what there is to say (a nomenclature, say)."""
+def list_html(rows: Sequence[Row], href: Href, derived: Derived | None = None) -> str:
+    """Return one line per row: printed, verdict, what there is to say (a nomenclature, say).
+
+    What is known of a fault unfolds in its line, which is its card.
+    """
     body = []
     for row in rows:
         said = "".join(f"<p>{part}</p>" for part in _said(row, href) if part)
+        kind = f"v-{row.verdict}"
+        if row.verdict.is_fault:
+            facts = facts_html(row, href, derived, changes(row.printed, row.correction))
+            said += f"<details><summary>evidence</summary>{facts}</details>"
+            kind = f"claim {kind}"
         body.append(
-            f'<tr id="{anchor(row.id)}" class="v-{row.verdict}">'
+            f'<tr id="{anchor(row.id)}" class="{kind}">'
             f'<th scope="row">{cell(row.printed) or escape(row.where)}</th>'
             f"<td>{badge(row.verdict)}</td><td>{said}</td></tr>"
         )

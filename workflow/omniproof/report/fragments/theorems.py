@@ -1,21 +1,24 @@
-"""Theorems: results that no paper prints, with their proofs step by step."""
+"""Theorems: results that no paper prints, with their proofs step by step.
+
+They are the one fragment that is not HTML: Sphinx numbers them through the whole book, so that any
+page can refer to "Theorem 12", and it can number only what it has read itself.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from functools import cache
-from html import escape
+import re
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from textwrap import indent
 
-from markdown_it import MarkdownIt
-from mdit_py_plugins.dollarmath import dollarmath_plugin
 from pydantic import BaseModel, ConfigDict
 
 from omniproof.report.anchors import anchor
 from omniproof.report.fragments.claims import engine_names
-from omniproof.report.latexfmt import math
+
+_MATH = re.compile(r"(\$\$.+?\$\$|\$.+?\$)", re.DOTALL)
+_LINK = re.compile(r"\[[^\]]*\]\([\w-]+\.html#(thm-[\w-]+)\)")
 
 
 class Step(BaseModel):
@@ -47,38 +50,35 @@ def read_theorems(path: Path) -> tuple[Theorem, ...]:
     return tuple(Theorem.model_validate(item) for item in json.loads(path.read_bytes()))
 
 
-def theorem_html(theorem: Theorem) -> str:
-    """Return statement and proof; the proof unfolds."""
-    steps = "".join(
-        f"<li>{markdown(step.step)}{_engines(step.engines)}</li>" for step in theorem.proof
-    )
-    proof = f"<details><summary>Proof</summary><ol>{steps}</ol></details>" if steps else ""
+def theorem_markdown(theorem: Theorem) -> str:
+    """Return statement and proof as directives of sphinx-proof; the label is the anchor."""
+    label = anchor(theorem.id)
     return (
-        f'<section class="theorem" id="{anchor(theorem.id)}">'
-        f'<p class="theorem-head"><b>Theorem</b> ({markdown_line(theorem.title)})'
-        f' <a class="address" href="#{anchor(theorem.id)}">{escape(theorem.id)}</a></p>'
-        f"{markdown(theorem.statement)}{_engines(theorem.engines)}{proof}</section>"
+        f"`````{{prf:theorem}} {_text(theorem.title)}\n:label: {label}\n\n"
+        f"{_text(theorem.statement)}\n\n{_engines(theorem.engines)} "
+        f'<a class="address" href="#{label}">{theorem.id}</a>\n{_proof(theorem.proof)}`````\n'
     )
+
+
+def _proof(steps: Sequence[Step]) -> str:
+    if not steps:
+        return ""
+    # The directive puts its own word in front of the first line, so that it must not be the list.
+    count = f"{len(steps)} steps, each" if len(steps) > 1 else "one step"
+    lines = "".join(f"1. {_step(step)}\n" for step in steps)
+    return f"\n````{{prf:proof}}\nIn {count} checked by the engines named.\n\n{lines}````\n"
+
+
+def _step(step: Step) -> str:
+    return indent(f"{_text(step.step)} {_engines(step.engines)}", "   ").lstrip()
 
 
 def _engines(engines: str) -> str:
-    return f'<p class="engines">checked by {engine_names(engines)}</p>' if engines else ""
+    return f"[checked by {engine_names(engines)}]{{.engines}}" if engines else ""
 
 
-def markdown(text: str) -> str:
-    """Return HTML of Markdown with `$math$`; raw HTML in it is escaped, not passed on."""
-    return str(_parser().render(text))
-
-
-def markdown_line(text: str) -> str:
-    """Return HTML of one line of Markdown, without a paragraph around it."""
-    return str(_parser().renderInline(text))
-
-
-@cache
-def _parser() -> MarkdownIt:
-    def render(content: str, options: Mapping[str, Any]) -> str:
-        return math(content, display=bool(options["display_mode"]))
-
-    parser = MarkdownIt("commonmark", {"html": False})
-    return parser.use(dollarmath_plugin, renderer=render, allow_labels=False, double_inline=True)
+def _text(markdown: str) -> str:
+    """Return Markdown with `$math$` without HTML; links to theorems say their numbers."""
+    parts = _MATH.split(markdown)
+    parts[::2] = [_LINK.sub(r"{prf:ref}`\1`", part).replace("<", "&lt;") for part in parts[::2]]
+    return "".join(parts)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from omniproof.report.fragments.base import Fragment, results_folder
+from omniproof.report.fragments.base import Fragment, Written, results_folder
 from omniproof.report.fragments.figures import drawn_html
 from omniproof.report.fragments.tables import grid_html
-from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_html
+from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_markdown
 from omniproof.report.latexfmt import math
 
 
@@ -26,9 +26,9 @@ class Topic:
         folder = results or results_folder()
         return cls(key, read_theorems(folder / "theorems.json"), folder)
 
-    def theorem(self, theorem_id: str) -> Fragment:
+    def theorem(self, theorem_id: str) -> Written:
         """Show one theorem with its proof. Raises `KeyError` when there is no such theorem."""
-        return Fragment(theorem_html(self._theorems[theorem_id]), theorem_id)
+        return Written(theorem_markdown(self._theorems[theorem_id]), theorem_id)
 
     def figure(self, name: str) -> Fragment:
         """Show a drawing by its name."""

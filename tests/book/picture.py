@@ -1,0 +1,39 @@
+"""Take the picture of the README from the built report: a matrix with a misprint, as it is judged.
+
+    make && .venv/bin/python tests/book/picture.py
+
+Not part of the build: letters look a little different on every machine.
+"""
+
+from __future__ import annotations
+
+import shutil
+
+from built_report import BUILT, ROOT
+from playwright.sync_api import sync_playwright
+
+PAGE, CARD = "omni-arrangement.html", "eq-6-2-3"
+WIDTH, SCALE = 680, 1.75
+HIDDEN = ".tools, .sbt-scroll-pixel-helper, .bd-header-article { display: none !important; }"
+
+
+def take() -> None:
+    """Write `report.png`; raises `AssertionError` without Chromium."""
+    chromium = shutil.which("chromium") or shutil.which("google-chrome")
+    assert chromium, "no chromium on this machine"
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
+        page = browser.new_page(
+            viewport={"width": WIDTH, "height": 1200}, device_scale_factor=SCALE
+        )
+        page.goto(f"{BUILT.as_uri()}/{PAGE}#{CARD}")
+        page.evaluate("() => window.MathJax.startup.promise")
+        page.add_style_tag(content=f"{HIDDEN} .claim:target {{ outline: none !important; }}")
+        page.locator("section.claim", has=page.locator(f"#{CARD}")).last.screenshot(
+            path=ROOT / "report.png"
+        )
+        browser.close()
+
+
+if __name__ == "__main__":
+    take()

@@ -1,0 +1,44 @@
+"""The code behind a verdict can be opened at its line, in a browser, from disk."""
+
+from __future__ import annotations
+
+import re
+from html import unescape
+from pathlib import Path
+
+import pytest
+
+from omniproof.report.code_pages import PACKAGE, code_link, write_code
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("site")
+    write_code(folder)
+    return folder
+
+
+def test_link_to_a_line() -> None:
+    found = code_link("omniproof/papers/ballbot/derivations/wheels.py:12")
+    assert found == "code/papers/ballbot/derivations/wheels.html#L-12"
+
+
+@pytest.mark.parametrize("line", [1, 20])
+def test_a_line_of_a_page_is_that_of_the_file(site: Path, line: int) -> None:
+    file = PACKAGE / "papers" / "omni_arrangement" / "derivations" / "kinematics.py"
+    page, _, anchor = code_link(f"omniproof/{file.relative_to(PACKAGE)}:{line}").partition("#")
+    text = (site / page).read_text(encoding="utf-8")
+    (shown,) = re.findall(rf'<a id="{anchor}"[^>]*></a>(.*)', text)
+    expected = file.read_text(encoding="utf-8").splitlines()[line - 1]
+    assert unescape(re.sub("<[^>]*>", "", shown)) == expected
+
+
+def test_pages_ask_for_nothing_and_lead_home(site: Path) -> None:
+    pages = sorted(site.rglob("*.html"))
+    assert len({page.parent.parent.name for page in pages}) == 5
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        assert "<script" not in text
+        assert not re.search(r"src=|url\(|@import", text.split("<body>")[0])
+        (home,) = re.findall(r'<a href="([^"]*index\.html)"', text)
+        assert (page.parent / home).resolve() == (site / "index.html").resolve()

@@ -1,0 +1,137 @@
+"""Read the cards of finished pages back: each fault has to say all that its ledger row knows.
+
+A card is a list of terms (`dl.facts`) inside an element of class `claim`. What has to be in it
+follows from the row: a correction wants "should read", a witness "counterexample", and so on. The
+buttons (copy, dispute) are made by a script from the attributes of the list.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from html.parser import HTMLParser
+
+from omniproof.audit.ledger import Ledger, Row
+from omniproof.report.anchors import anchor
+from omniproof.report.changes import changes
+from omniproof.report.code_pages import code_link
+from omniproof.report.derived import Derived
+from omniproof.report.latexfmt import is_latex
+from omniproof.report.theme import MARKS
+from omniproof.transcription.model import Kind
+
+TERMS: Mapping[str, str] = {
+    "correction": "should read",
+    "assumption": "true when",
+    "witness": "counterexample",
+    "interval": "exact value",
+    "follows": "follows from",
+    "consequence": "consequence",
+    "engines": "decided by",
+}
+"""Column of the ledger -> the term under which a card has it."""
+
+_VOID = frozenset({"br", "img", "input", "link", "meta", "hr", "col", "source", "wbr"})
+
+
+@dataclass
+class Card:
+    """What a page has of one row; `words` is all text of the claim that the list stands in."""
+
+    attributes: Mapping[str, str]
+    claim: str
+    terms: dict[str, str] = field(default_factory=dict)
+    links: list[str] = field(default_factory=list)
+    words: str = ""
+
+
+class Cards(HTMLParser):
+    """The cards of a page, by the address in them (`#eq-6-2-3`)."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(convert_charrefs=True)
+        self.cards: dict[str, Card] = {}
+        self._open: list[tuple[str, set[str]]] = []
+        self._claims: list[list[str]] = []
+        self._card: Card | None = None
+        self._term = ""
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """Enter a claim, a list of facts, a term; note links."""
+        found = {name: value or "" for name, value in attrs}
+        classes = set(found.get("class", "").split())
+        if tag not in _VOID:
+            self._open.append((tag, classes))
+        if "claim" in classes:
+            self._claims.append([])
+        if tag == "dl" and "facts" in classes:
+            claim = next((c for _, c in reversed(self._open) if "claim" in c), set())
+            verdict = next((name for name in claim if name.startswith("v-")), "")
+            words = " ".join(self._claims[-1]) if self._claims else ""
+            self._card = Card(found, verdict, words=words)
+        if self._card is None:
+            return
+        self._term = "" if tag == "dt" else self._term
+        if tag == "a":
+            self._card.links.append(found.get("href", ""))
+            if "address" in classes:
+                self.cards[found["href"]] = self._card
+
+    def handle_endtag(self, tag: str) -> None:
+        """Leave what was entered."""
+        if tag == "dl":
+            self._card = None
+        while self._open:
+            name, classes = self._open.pop()
+            if "claim" in classes:
+                self._claims.pop()
+            if name == tag:
+                return
+
+    def handle_data(self, data: str) -> None:
+        """Note the words of terms and their texts, and those of the claim before its facts."""
+        if self._claims:
+            self._claims[-1].append(data)
+        if self._card is None or not self._open:
+            return
+        if self._open[-1][0] == "dt":
+            self._term = data
+        elif self._term:
+            self._card.terms[self._term] = self._card.terms.get(self._term, "") + data
+
+
+def card_faults(page: str, text: str, ledger: Ledger, derived: Derived) -> Iterator[str]:
+    """Name everything that the card of a faulty row lacks, as `page: claim: what`."""
+    cards = Cards(text).cards
+    for row in ledger.rows:
+        if row.verdict.is_fault:
+            card = cards.get(f"#{anchor(row.id)}")
+            lacking = _lacking(row, card, derived) if card else ["a card"]
+            yield from (f"{page}: {row.id} lacks {what}" for what in lacking)
+
+
+def _lacking(row: Row, card: Card, derived: Derived) -> Iterator[str]:
+    """Yield what a card lacks of its row."""
+    mark = MARKS[row.verdict]
+    if card.claim != f"v-{row.verdict}" or mark.word not in card.words:
+        yield "its verdict in colour and words"
+    if mark.shape not in card.words:
+        yield "the shape of its verdict"
+    for column, term in TERMS.items():
+        if getattr(row, column) and not card.terms.get(term):
+            yield term
+    if row.correction and changes(row.printed, row.correction) and "change" not in card.terms:
+        yield "what changes"
+    source = derived.source(row.id)
+    if source and code_link(source) not in card.links:
+        yield "the source of its derivation"
+    if "ledger.csv" not in card.links:
+        yield "a link to the data"
+    right = row.correction or row.derived or row.printed
+    if is_latex(right) and card.attributes.get("data-latex") != right:
+        yield "LaTeX to copy"
+    # Of formulas only: deriving every number and relation again takes longer than all checks.
+    if row.kind is Kind.IDENTITY and card.attributes.get("data-sympy", "") != derived.sympy(row.id):
+        yield "SymPy to copy"
