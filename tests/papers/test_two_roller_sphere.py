@@ -63,7 +63,7 @@ EXPECTED = [
     verdict("sec:3/ellipses", "verified", "(-sin, cos, -q cos) is a circle, sheared"),
     verdict("sec:3/common-line", "verified", "(-1, 0, 0) and (1, 0, 0)", follows=ELEVATION),
     verdict("sec:3/axis-chain", "conditional", "all are level at 90 and 270 degrees",
-            assumption=r"0 < \phi < \frac{\pi}{2} \text{ or } \frac{\pi}{2} < \phi < "
+            assumption=r"0 \leq \phi < \frac{\pi}{2} \text{ or } \frac{\pi}{2} < \phi < "
                        r"\frac{3 \pi}{2} \text{ or } \frac{3 \pi}{2} < \phi < 2 \pi"),
     verdict("sec:3/speed-chain-roller-1", "conditional", "each rim speed has its own zeros"),
     verdict("sec:3/speed-chain-roller-2", "conditional", "each rim speed has its own zeros"),
@@ -74,8 +74,7 @@ EXPECTED = [
     verdict("sec:3/rim-speed-3", "erratum", "0.91228 / cos 30 degrees = 1.05341",
             correction="1.05", consequence="number"),
     verdict("sec:3/slip-chain-roller-1", "conditional", "no slip at 0 and 180 degrees",
-            assumption=r"- \frac{\pi}{2} < \phi < 0 \text{ or } 0 < \phi < \pi "
-                       r"\text{ or } \pi < \phi < \frac{3 \pi}{2}"),
+            assumption=r"0 < \phi < \pi \text{ or } \pi < \phi < 2 \pi"),
     verdict("sec:3/face-to-face", "conditional", "in case 0 nothing slips",
             assumption=r"k \neq 0"),
     verdict("sec:3/slip-maxima", "verified", "sin^2 is greatest at 90 and 270 degrees"),
