@@ -17,7 +17,9 @@ DRIVEN = "sec:2.1/driven-direction"
 
 EXPECTED = [
     verdict("sec:1/equator", "conditional",
-            "a vertical axis on the equator drives along the equator: psi has to be 0"),
+            "a vertical axis on the equator drives along it; opposite contacts: parallel lines",
+            assumption=r"\psi_1 = \psi_2 = 0^\circ \text{ (the axes lie in the plane of the "
+                       r"equator) and the contacts are not opposite to each other}"),
     verdict("sec:1/two-degrees", "verified", "two speeds, two independent lines"),
     verdict("xref:sec-1-cites-8", "erratum", "[8] is the robot on a ball", correction="[9]",
             consequence="text"),
