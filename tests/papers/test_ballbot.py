@@ -79,6 +79,7 @@ EXPECTED = [
     verdict("eq:10/inverse[2,1]", "model-gap", "-2/3 over cos phi", follows=GAP,
             correction=r"- \frac{2}{3 \cos {\phi}}"),
     verdict("eq:10/inverse[3,2]", "verified", "1/(3 L sin phi)", follows=YAW),
+    verdict("sec:references/pages-of-2", "editorial", "[1], [3] and [4] have theirs"),
     verdict("sec:5/advantages-over-ballbots", "editorial", "Section 1 grants them to all"),
 ]  # fmt: skip
 

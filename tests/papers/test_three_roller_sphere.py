@@ -35,6 +35,7 @@ EXPECTED = [
     verdict("eq:1", "verified", "<w x r p, p x eta> = -r <w, eta>", follows=DRIVEN),
     verdict("sec:2.1/in-span", "verified", "w x p = (v/r) e leaves w no part along e"),
     verdict("eq:2[3]", "verified", "foot -(v/r) eta, direction P/r"),
+    verdict("sec:1/employed-experiment", "editorial", "no article"),
     verdict("eq:2/no-condition", "editorial", "omega equals nothing"),
     verdict("xref:sec-2-1-cites-eq-6", "erratum", "(6) is a distance, the base is in (4)",
             correction="eq:4"),

@@ -93,6 +93,9 @@ EXPECTED = [
     verdict("eq:B.2", "verified", "-sin delta and sin delta", follows="eq:B.1"),
     verdict("eq:B.4", "verified", "the cosine does not see the sign", follows="eq:B.1"),
     verdict("eq:B.6/index", "editorial", "C_1 stands twice"),
+    verdict("tab:1/normal-orthogonal", "editorial", "as in the three-roller paper"),
+    verdict("sec:2.2/let-the-angle", "editorial", "no verb"),
+    verdict("app:B/is-satisfied", "editorial", "as in the three-roller paper"),
     verdict("eq:B.10/first", "verified", "r C_1 sin delta = nu_2 cos(alpha_2) / r"),
     verdict("eq:B.11", "uncheckable", "the display is gone", reading="reconstructed"),
 ]  # fmt: skip
