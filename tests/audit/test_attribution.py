@@ -128,6 +128,16 @@ def test_consequence(row: Row, form: str, expected: str) -> None:
     assert found.consequence == expected
 
 
+@pytest.mark.parametrize("name", ["eq:1", "eq:1[2,3]"])
+def test_a_formula_that_nothing_rests_on_reaches_the_text_only(name: str) -> None:
+    registry = Registry("p")
+    registry.derives("eq:1", idle=True)(lambda: None)
+    row = made(name, "erratum")
+    context = FakeContext(registry, {name: printed_claim("equal")})
+    (found,) = attribute([row], context)  # type: ignore[arg-type]
+    assert found.consequence == "text"
+
+
 def test_nothing_else_of_a_row_changes() -> None:
     (first, second) = attributed(FAULT, made("eq:2", "verified"), eq_2="eq:1")
     assert first == FAULT.model_copy(update={"consequence": first.consequence})

@@ -68,6 +68,12 @@ def test_a_tie_is_no_only_extreme():
         is_extreme(TYPES, "W", 1)
 
 
+def test_the_witness_is_the_best_of_the_others():
+    assert is_extreme(TYPES, "X", 1).witness.point == {"member": "Z"}
+    assert is_extreme(TYPES, "Z", -1).witness.point == {"member": "X"}
+    assert isinstance(is_extreme({"alone": sp.Integer(1)}, "alone", 1), Proved)
+
+
 @settings(max_examples=60, deadline=None)
 @given(*[st.tuples(st.integers(-9, 9), st.integers(1, 40), st.integers(1, 9))] * 2)
 def test_order_agrees_with_mpmath(left, right):

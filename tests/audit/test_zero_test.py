@@ -344,3 +344,11 @@ def trees():
 def test_no_formula_makes_it_raise(expression):
     found = decide(expression)
     assert isinstance(found, (Proved, Refuted, OnBranch, Undecided))
+
+
+def test_sides_that_agree_where_a_factor_is_1_hold_in_no_part_of_the_domain():
+    length = sp.Symbol("L", positive=True)
+    root = sp.sqrt((x - y) ** 2 + (x - z) ** 2 + (y - z) ** 2) / sp.Abs(x + y + z)
+    found = decide_equal(root, length * root)
+    assert isinstance(found, Refuted)
+    assert found.note == ""

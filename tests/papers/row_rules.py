@@ -8,6 +8,8 @@ from omniproof.audit.ledger import Ledger, Repair, Row, Verdict
 from omniproof.transcription.model import Kind, Uncheckable
 
 DECIDED = {Kind.IDENTITY, Kind.VALUE, Kind.RELATION}
+LONGEST_NOTE = 600
+"""Letters of a few sentences: a list of all that would also be true is none."""
 MENDED = {Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.MODEL_GAP}
 
 
@@ -32,6 +34,8 @@ def complaints(row: Row) -> Iterator[str]:
         yield f"no class of uncheckable in {row.note!r}"
     if row.verdict.is_fault != bool(row.consequence):
         yield "consequence"
+    if len(row.note) > LONGEST_NOTE:
+        yield f"a note of {len(row.note)} letters"
 
 
 def names_its_class(note: str) -> bool:

@@ -27,6 +27,9 @@ EXPECTED = [
             assumption="-1 < h < 0"),
     verdict("sec:1/no-nonholonomic-constraints", "conditional",
             "rotations about two axes do not commute: 1/rho^2 about the vertical is left"),
+    verdict("sec:3/platform-stays-level", "conditional", "M is left where the weight has no lever",
+            assumption=r"\text{nothing resists the rolling}",
+            witness="M=20/9; printed=2.222; derived=0"),
     verdict("eq:1[1,2]", "verified", "R^T [delta] R is the cross product by R^T delta"),
     verdict("eq:2[1,2]", "verified", "a turn about z moves a point on y towards -x"),
     verdict("eq:3", "verified", "images of the unit vectors are the columns"),
@@ -79,6 +82,7 @@ EXPECTED = [
     verdict("eq:10/inverse[2,1]", "model-gap", "-2/3 over cos phi", follows=GAP,
             correction=r"- \frac{2}{3 \cos {\phi}}"),
     verdict("eq:10/inverse[3,2]", "verified", "1/(3 L sin phi)", follows=YAW),
+    verdict("sec:references/pages-of-2", "editorial", "[1], [3] and [4] have theirs"),
     verdict("sec:5/advantages-over-ballbots", "editorial", "Section 1 grants them to all"),
 ]  # fmt: skip
 

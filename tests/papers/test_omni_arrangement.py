@@ -57,6 +57,7 @@ EXPECTED = [
     verdict("eq:15/case-2-condition", "verified", "the product is -p q d^2, case 2 is p q < 0"),
     verdict("sec:4/type-x-angles", "verified", "theta = 30 degrees", follows=""),
     verdict("sec:4/type-y-angles", "verified", "theta = 0", follows=""),
+    verdict("tab:1[9]", "inconsistent", "q_i here, q_k where the angle is introduced"),
     verdict("sec:4/type-z-angles", "erratum", "arcs 60, 30, 270 are no isosceles triangle; "
             "60, 60, 240 is, and gives 9.24", correction=r"\{210^\circ, 270^\circ, 330^\circ\}"),
     verdict("tab:2[X,D_V]", "verified", "16 sqrt(3)/9 = 3.0792"),
@@ -77,7 +78,8 @@ EXPECTED = [
     verdict("sec:4/type-x-smallest-volume", "verified", "3.08 < 4 < 9.24"),
     verdict("sec:4/type-z-largest-area", "verified", "4.62 < 6 < 13.86"),
     verdict("sec:4/type-z-translation", "conditional",
-            "without rotation (Y) reaches 4 and (Z) 2 sqrt(3)"),
+            "without rotation (Y) reaches 4 and (Z) 2 sqrt(3)",
+            witness="X=3.46410; Y=4.00000; Z=3.46410; printed=3.46410; derived=4.00000"),
     verdict("sec:4#2/type-z-most-efficient", "conditional", "the same claim again",
             follows="sec:4/type-z-translation"),
     verdict("sec:4/minimum-of-volume", "verified", "the derivative -2 sin t + 2 cos 2t vanishes at "
@@ -97,6 +99,9 @@ EXPECTED = [
             follows="app:A/matrix"),
     verdict("eq:A.4/a32-line-2", "verified", "s1 c3 - c1 s3 = sin(a1 - a3)", follows=""),
     verdict("eq:B.2", "conditional", "the triple product is negative for a left-handed triple"),
+    verdict("eq:B.2/number", "editorial", "(B,1) is free", correction="(B,1)"),
+    verdict("eq:B.3#2/number", "editorial", "the third display", correction="(B,3), with (B,1) "
+            "and (B,2) for the displays before"),
     verdict("eq:B.3", "verified", "base times height, whatever the handedness"),
     verdict("eq:B.3#2/volume", "conditional", "the triple product has a sign"),
     verdict("eq:B.3#2/determinant", "verified", "expand by the third column"),

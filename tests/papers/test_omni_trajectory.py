@@ -111,7 +111,8 @@ EXPECTED = [
     verdict("tab:4[0,N_1]", "misrounded", "-10.38, and -10.4 beside it", correction="-10.4"),
     verdict("tab:4[0,N_2]", "verified", "-10.38", follows=SPEED),
     verdict("tab:4[0,N_3]", "verified", "20.76", follows=SPEED),
-    verdict("tab:4[30,N_1]", "verified", "exactly 0"),
+    verdict("tab:4[30,N_1]", "verified", "exactly 0, at any speed", follows=""),
+    verdict("tab:4[90,N_3]", "verified", "exactly 0, at any speed", follows=""),
     verdict("tab:4[30,N_2]", "misrounded", "-17.98", correction="-18.0", consequence="number"),
     verdict("tab:4[60,N_1]", "misrounded", "10.38", correction="10.4"),
     verdict("tab:4[60,N_3]", "verified", "10.38, rounded", follows=SPEED),
@@ -126,6 +127,8 @@ EXPECTED = [
     verdict("sec:3.2/zero-sum", "verified", "the columns of X and Y in Eq. (3) add up to 0",
             follows="tab:4[0,N_1]"),
     verdict("sec:4/error-within", "verified", "0.03 is the largest"),
+    verdict("xref:sec-1-cites-5-two-rollers", "verified", "two-roller-sphere of this report"),
+    verdict("xref:sec-1-cites-9-efficiency", "erratum", "rollers on a hemisphere, by its title"),
     verdict("xref:sec-1-cites-11-sphere", "erratum", "the cited paper has no sphere"),
     verdict("sec:front/affiliation-ishii", "inconsistent", "Miyazaki, and Kyushu at the end"),
 ]  # fmt: skip

@@ -284,3 +284,10 @@ def altered(obligation: Any) -> Any:
     if isinstance(subject, tuple):
         return replace(obligation, subject=(subject[0] + Rational(1, 2), *subject[1:]))
     return replace(obligation, subject=replace(subject, expression=-subject.expression))
+
+
+def test_radius_that_the_printed_speed_would_need() -> None:
+    """20.76 rpm are 2.174 rad/s: 0.022 m/s over that."""
+    radius = float(answers.roller_radius_for("0.022"))
+    assert radius == pytest.approx(0.022 / (20.7593 * 2 * math.pi / 60), rel=1e-3)
+    assert answers.roller_radius_for("0.05") == "0.02300"

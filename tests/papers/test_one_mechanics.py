@@ -155,6 +155,45 @@ def test_two_rollers_under_dry_friction_stop_anywhere_between_the_lines() -> Non
     )
 
 
+def growing(contacts: Any, driven: Any, speeds: Any, power: float) -> Any:
+    """Steady spin where friction is the slip to a power: least squares, weighted repeatedly."""
+    spin = weighted(contacts, driven, speeds, np.ones(len(speeds)))
+    for _ in range(3000):
+        sizes = np.linalg.norm(slips(spin, contacts, driven, speeds), axis=1)
+        following = weighted(contacts, driven, speeds, sizes ** (power - 1))
+        spin = spin + 0.3 * (following - spin)
+    return spin
+
+
+@pytest.mark.parametrize("power", [0.5, 2])
+def test_two_rollers_stop_half_way_under_any_friction_that_grows(power: float) -> None:
+    """And three do not stop at the least-squares point, unless the power is one."""
+    tilts, speeds = (0.4, -0.7), np.array([1.0, 0.6])
+    pairs = [rollers(np.array([a]), 0, t) for a, t in zip((0, 1.2), tilts, strict=True)]
+    contacts, driven = (np.array([pair[k][0] for pair in pairs]) for k in (0, 1))
+    middle = weighted(contacts, driven, speeds, np.ones(2))
+    np.testing.assert_allclose(growing(contacts, driven, speeds, power), middle, atol=1e-9)
+    _, three = velocity_and_speeds(0.3)
+    raised = rollers(REGULAR, np.pi / 6, 0)
+    apart = growing(*raised, three, power) - weighted(*raised, three, np.ones(3))
+    assert np.abs(apart).max() > 0.01
+    forces = slips(growing(*raised, three, power), *raised, three)
+    sizes = np.linalg.norm(forces, axis=1)[:, None]
+    torque = np.cross(raised[0], forces * sizes ** (power - 1)).sum(axis=0)
+    np.testing.assert_allclose(torque, np.zeros(3), atol=1e-9)
+
+
+def test_on_one_line_no_input_is_without_slip_but_rest() -> None:
+    """Why the theorem excludes it: the driven directions are dependent, yet no speeds fit."""
+    pairs = [rollers(np.array([a]), 0, t) for a, t in ((0, 0), (np.pi, 0.5), (0, 1.3))]
+    contacts, driven = (np.array([pair[k][0] for pair in pairs]) for k in (0, 1))
+    assert np.linalg.det(driven) == pytest.approx(0)
+    assert np.linalg.matrix_rank(driven) == 2
+    free = np.cross(driven[0], driven[1])
+    axes = np.cross(driven, contacts)
+    np.testing.assert_allclose(axes @ free, np.zeros(3), atol=1e-12)
+
+
 def test_viscous_friction_leads_to_the_least_squares_point() -> None:
     """A sphere that is let go from any spin, step by step, with unequal coefficients too."""
     contacts, driven = rollers(np.array([0.1, 1.9, 4.0]), 0.3, 0.8)

@@ -12,7 +12,12 @@ import sphere_oracle as oracle
 from omniproof.audit.answer import Proved
 from omniproof.audit.relations import judge
 from omniproof.audit.theorems import prove_all
-from omniproof.papers.three_roller_sphere.answers import elevations_of_printed, patterns, places
+from omniproof.papers.three_roller_sphere.answers import (
+    elevations_of_printed,
+    patterns,
+    places,
+    shift_that_serves_all,
+)
 from omniproof.papers.two_roller_sphere.answers import (
     angles_of_printed,
     cases,
@@ -165,3 +170,31 @@ def test_elevations_give_the_printed_slips() -> None:
         middle = sum(numbers(found)) / 2
         slips = _slips(middle, 1)
         assert f"{min(slips) if name == 'least' else max(slips):.2f}" == decimal
+
+
+PRINTED_SLIPS = {
+    "least": {2: "0.03", 3: "0.10", 4: "0.19"},
+    "greatest": {2: "0.16", 3: "0.30", 4: "0.40"},
+}
+
+
+def _printed_at(shift: float) -> dict[str, dict[int, str]]:
+    """Slips to two decimals, by least squares, with elevations that are smaller by a shift."""
+    sizes = {k: _slips(10 * (k - 1) - shift, 1) for k in (2, 3, 4)}
+    return {
+        name: {k: f"{pick(found):.2f}" for k, found in sizes.items()}
+        for name, pick in (("least", min), ("greatest", max))
+    }
+
+
+def test_one_shift_of_the_elevations_gives_all_printed_slips() -> None:
+    low, high = numbers(shift_that_serves_all(PRINTED_SLIPS))
+    assert _printed_at(low + 0.01) == _printed_at(high - 0.01) == PRINTED_SLIPS
+    assert _printed_at(low - 0.02) != PRINTED_SLIPS != _printed_at(high + 0.02)
+    assert _printed_at(0) != PRINTED_SLIPS
+
+
+def test_slips_of_no_one_shift_are_refused() -> None:
+    """The exact greatest slip of Pattern IV beside a least one that is far too small."""
+    with pytest.raises(ValueError, match="no shift"):
+        shift_that_serves_all({"least": {4: "0.10"}, "greatest": {4: "0.40"}})

@@ -17,7 +17,9 @@ DRIVEN = "sec:2.1/driven-direction"
 
 EXPECTED = [
     verdict("sec:1/equator", "conditional",
-            "a vertical axis on the equator drives along the equator: psi has to be 0"),
+            "a vertical axis on the equator drives along it; opposite contacts: parallel lines",
+            assumption=r"\psi_1 = \psi_2 = 0^\circ \text{ (the axes lie in the plane of the "
+                       r"equator) and the contacts are not opposite to each other}"),
     verdict("sec:1/two-degrees", "verified", "two speeds, two independent lines"),
     verdict("xref:sec-1-cites-8", "erratum", "[8] is the robot on a ball", correction="[9]",
             consequence="text"),
@@ -33,6 +35,7 @@ EXPECTED = [
     verdict("eq:1", "verified", "<w x r p, p x eta> = -r <w, eta>", follows=DRIVEN),
     verdict("sec:2.1/in-span", "verified", "w x p = (v/r) e leaves w no part along e"),
     verdict("eq:2[3]", "verified", "foot -(v/r) eta, direction P/r"),
+    verdict("sec:1/employed-experiment", "editorial", "no article"),
     verdict("eq:2/no-condition", "editorial", "omega equals nothing"),
     verdict("xref:sec-2-1-cites-eq-6", "erratum", "(6) is a distance, the base is in (4)",
             correction="eq:4"),

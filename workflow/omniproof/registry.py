@@ -108,12 +108,16 @@ class Relation:
 
 @dataclass(frozen=True)
 class Derivation:
-    """How one claim follows, and on which other claims of the paper it rests."""
+    """How one claim follows, and on which other claims of the paper it rests.
+
+    Nothing in the paper rests on what is `idle`: a fault there moves no robot.
+    """
 
     build: Callable[..., Derived]
     rests_on: tuple[str, ...] = ()
     convention: str = ""
     meanings: Callable[[], Mapping[str, Any]] = dict
+    idle: bool = False
 
 
 @dataclass(frozen=True)
@@ -149,10 +153,12 @@ class Registry:
         rests_on: Sequence[str] = (),
         convention: str = "",
         meanings: Callable[[], Mapping[str, Any]] = dict,
+        idle: bool = False,
     ) -> Bind:
         """Bind a function to claims.
 
-        With `convention` (a claim id), the function takes one of that convention's options.
+        With `convention` (a claim id), the function takes one of that convention's options. With
+        `idle`, the paper draws no conclusion from the faulty part of what it prints there.
         `meanings` gives printed quantities another value for these claims only (any vectors, say,
         in a lemma that the paper states with the columns of its matrix).
         Raises `ValueError` when an id is bound twice.
@@ -162,7 +168,9 @@ class Registry:
             for claim in ids:
                 if claim in self.derivations:
                     raise ValueError(f"{self.paper}: two derivations for {claim}")
-                self.derivations[claim] = Derivation(build, tuple(rests_on), convention, meanings)
+                self.derivations[claim] = Derivation(
+                    build, tuple(rests_on), convention, meanings, idle
+                )
             return build
 
         return bind

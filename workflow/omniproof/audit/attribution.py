@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Consequence, Row, Verdict
+from omniproof.registry import Derivation
 from omniproof.transcription.model import Form, Kind
 
 
@@ -43,9 +44,7 @@ def _premise(row: Row, context: Context, faults: Mapping[str, Row]) -> str:
 
     A decimal is held against the mended claim: a wrong one is explained only where it is the same.
     """
-    derivation = context.registry.derivations.get(row.id) or context.registry.derivations.get(
-        row.id.partition("[")[0]
-    )
+    derivation = _derivation(row, context)
     if derivation is None:
         return ""
     for premise in derivation.rests_on:
@@ -56,6 +55,12 @@ def _premise(row: Row, context: Context, faults: Mapping[str, Row]) -> str:
     if convention in faults and (row.verdict is Verdict.VERIFIED or _only_here(row, context)):
         return convention
     return ""
+
+
+def _derivation(row: Row, context: Context) -> Derivation | None:
+    """Return how a row follows; the entry of a matrix follows as the matrix does."""
+    derivations = context.registry.derivations
+    return derivations.get(row.id) or derivations.get(row.id.partition("[")[0])
 
 
 def _is_alike(row: Row, fault: Row) -> bool:
@@ -75,12 +80,15 @@ _STEPS_OF_ARGUMENTS = {Form.POSITIVE, Form.NEGATIVE, Form.CONCAVE, Form.EQUIVALE
 
 
 def _consequence(row: Row, context: Context) -> Consequence:
-    """`motion` for a formula or a choice between designs; steps of an argument are `text`."""
+    """`motion` for a formula or a choice between designs; idle ones and steps are `text`."""
     if not row.verdict.is_fault:
         return Consequence.NONE
     if row.kind is Kind.VALUE:
         return Consequence.NUMBER
     if row.kind not in {Kind.IDENTITY, Kind.RELATION} or row.id.startswith("app:"):
+        return Consequence.TEXT
+    derivation = _derivation(row, context)
+    if derivation is not None and derivation.idle:
         return Consequence.TEXT
     asserts = context.claims[row.id].asserts if row.kind is Kind.RELATION else None
     in_an_argument = asserts is not None and asserts.form in _STEPS_OF_ARGUMENTS

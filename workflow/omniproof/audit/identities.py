@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -19,6 +19,9 @@ from omniproof.registry import Modelled
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
 from omniproof.transcription.tree import Span
+
+MOST_SHOWN = 2
+"""Other edits that a note shows: a reader compares no more."""
 
 
 @dataclass(frozen=True)
@@ -103,8 +106,15 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
     mended = _mend(cell, place, claim.id, context)
     if mended:
         row = row.model_copy(update={"correction": mended.text, "repair": mended.grade})
-        return with_note(row, f"or ${'$, or $'.join(mended.others)}$") if mended.others else row
+        return with_note(row, _rivals(mended.others))
     return row.model_copy(update={"correction": row.derived, "repair": Repair.MANUAL})
+
+
+def _rivals(others: Sequence[str]) -> str:
+    """Say which other edits are as small as the correction; more than a few are only counted."""
+    if len(others) > MOST_SHOWN:
+        return f"{len(others)} other edits of the same size would make it true, too"
+    return f"as small an edit: ${'$, or $'.join(others)}$" if others else ""
 
 
 def _compare(cell: Cell) -> tuple[Answer, int]:

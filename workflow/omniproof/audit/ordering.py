@@ -52,17 +52,23 @@ def extreme_members(values: Mapping[str, sp.Expr], direction: int) -> tuple[str,
 def is_extreme(values: Mapping[str, sp.Expr], member: str, direction: int) -> Answer:
     """Decide whether one member is the only largest (direction 1) or smallest (-1).
 
-    A witness names the member that is as good or better. Raises `KeyError` for an unknown member.
+    A witness names the best of the others, where it is as good or better. Raises `KeyError` for an
+    unknown member.
     """
     value = values[member]
+    others = {name: other for name, other in values.items() if name != member}
+    if not others:
+        return Proved(ENGINE)
+    rivals = extreme_members(others, direction)
+    if isinstance(rivals, Undecided):
+        return rivals
+    best = others[rivals[0]]
     try:
-        for name, other in values.items():
-            if name != member and direction * compare(value, other) <= 0:
-                witness = Witness({"member": name}, digits(value), digits(other))
-                return Refuted(ENGINE, witness)
+        if direction * compare(value, best) > 0:
+            return Proved(ENGINE)
+        return Refuted(ENGINE, Witness({"member": rivals[0]}, digits(value), digits(best)))
     except UnsupportedError as reason:
         return Undecided(str(reason), ENGINE)
-    return Proved(ENGINE)
 
 
 def _all_pairs(values: Sequence[sp.Expr], holds: Callable[[int], bool]) -> Answer:

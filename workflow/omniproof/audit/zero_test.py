@@ -172,7 +172,9 @@ class _Question:
             return self.without_counterexample(condition)
         witness = differing[0].witness()
         if condition is None or not self.is_exact(condition, probes):
-            return Refuted(ENGINE, witness, "it holds in a part of the domain")
+            # Sides that agree at a single point, as for L = 1, do so for no choice of signs.
+            partly = any(true for _, true in form.patterns())
+            return Refuted(ENGINE, witness, "it holds in a part of the domain" if partly else "")
         return OnBranch(ENGINE, condition.latex, witness, relations=condition.relations)
 
     def condition(self, form: NormalForm) -> Condition | None:

@@ -80,6 +80,14 @@ def speeds_by_reading() -> list[list[str]]:
     ]
 
 
+def roller_radius_for(speed: str) -> str:
+    """Radius of the rollers (m) with which the printed rates would give a speed (m/s).
+
+    The rates fix the quotient of speed and radius only.
+    """
+    return format_ball(evaluate(ROLLER_RADIUS * Rational(speed) / ROUND_SPEED), 4)
+
+
 def _solved(cells: Sequence[Cell], unknown: Symbol) -> str:
     solution = solve(cells, unknown)
     if isinstance(solution, Undecided):

@@ -17,6 +17,7 @@ from itertools import permutations
 from sympy import (
     ImmutableMatrix,
     Integer,
+    Rational,
     Symbol,
     asin,
     cos,
@@ -116,6 +117,11 @@ def _balanced_pair() -> Sequence[Obligation]:
     easts = [sphere.tangent_base(azimuth, 0)[0] for azimuth in (Integer(0), BETWEEN)]
     torques = [p.cross(east) for p, east in zip(contacts, easts, strict=True)]
     return joined(same(torques[0], UP), same(torques[1], UP))
+
+
+def _equal_in_the_middle() -> Sequence[Obligation]:
+    """Difference of the squared shares of the slip: it is zero half-way only."""
+    return [equal(SHARE**2 - (1 - SHARE) ** 2, 2 * (SHARE - Rational(1, 2)))]
 
 
 def _only_along_the_normal() -> Sequence[Obligation]:
@@ -231,11 +237,12 @@ THEOREMS = (
         "The least-squares point is the steady state of viscous friction",
         r"Let each roller act on the sphere with the force $-c\,\boldsymbol\zeta_i$, in proportion "
         r"to the slip $\boldsymbol\zeta_i$ and with one $c$ for all, and let the centre of the "
-        r"sphere be held. Then the torque about the centre is $-c\,r^2(M\boldsymbol\omega + "
-        r"\frac1r\sum_i\nu_i\boldsymbol\eta_i)$, and the spin tends to the least-squares point "
-        r"from wherever it starts. With different $c_i$ it tends to the point of least squares "
-        r"weighted by them. Neither paper names a friction law; this one is what their optimum "
-        r"assumes.",
+        r"sphere be held; its mass is spread alike around the centre. Then the torque about the "
+        r"centre is $-c\,r^2(M\boldsymbol\omega + \frac1r\sum_i\nu_i\boldsymbol\eta_i)$, and the "
+        r"spin tends to the least-squares point from wherever it starts, unless all contacts lie "
+        r"on one line through the centre. With different $c_i$ it tends to the point of least "
+        r"squares weighted by them. Neither paper names a friction law; under this one their "
+        r"optimum is the motion, for any number of rollers.",
         (TWO, THREE),
         (
             Step(
@@ -250,12 +257,12 @@ THEOREMS = (
     ),
     Theorem(
         "thm:equal-drive",
-        "Where all friction laws agree",
+        "Where all friction laws agree on one steady spin",
         r"Three rollers in a regular triangle at the elevation $\theta$, with one angle $\psi$ and "
         r"one speed $\nu$, have the steady spin $-\frac{\nu\sin\psi}{r\cos\theta}$ about the "
         r"$z$-axis under any friction that depends on the slip in one way for all: the "
-        r"least-squares point is also that of dry friction. All three slip by $\nu\cos\psi$ along "
-        r"the meridian.",
+        r"least-squares point is steady under dry friction, too. All three slip by $\nu\cos\psi$ "
+        r"along the meridian.",
         (THREE,),
         (
             Step(
@@ -274,7 +281,9 @@ THEOREMS = (
         r"perpendicular between the two lines, ends included. Its middle, the point of the "
         r"two-roller paper, is one of them; which one is reached depends on the start. The sum of "
         r"the slips is $|\nu_1\sin\alpha_1 - \nu_2\sin\alpha_2|$ at each. With unequal loads only "
-        r"one end remains: the more heavily loaded roller sticks, and the other one has all slip.",
+        r"one end remains: the more heavily loaded roller sticks, and the other one has all slip. "
+        r"Under a friction that grows with the slip, in one way at both, only the middle remains: "
+        r"for two rollers the optimum needs no friction in proportion to the slip.",
         (TWO,),
         (
             Step(
@@ -292,8 +301,14 @@ THEOREMS = (
                 r"No other spin will do: torques $\mathbf{p}_i\times\mathbf{u}_i$ of two unit "
                 r"tangents balance only where both are along $\pm\mathbf{p}_1\times\mathbf{p}_2$, "
                 r"so that the slips are along the $X_i$, and opposite; where one roller sticks, "
-                r"its torque is perpendicular to both contacts as well.",
+                r"its torque is perpendicular to both contacts as well. This holds for forces of "
+                r"any size, and asks for two of one size.",
                 _only_along_the_normal,
+            ),
+            Step(
+                r"Where friction grows with the slip, forces of one size are slips of one size: "
+                r"$|t\,g| = |(1 - t)\,g|$ at $t = \frac12$ only.",
+                _equal_in_the_middle,
             ),
         ),
     ),

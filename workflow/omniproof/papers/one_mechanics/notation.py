@@ -52,7 +52,7 @@ QUANTITIES: Sequence[Symbols] = (
         (r"$\mathbf{n}_k$", "tangent", r"$\bar{\mathbf{o}}$", r"$\mathbf{e}_i$", r"$\mathbf{e}_i$"),
     ),
     Symbols(
-        "axis of the roller",
+        "axis of the wheel or roller",
         ("radial", "radial", r"$\bar{\mathbf{n}}$", r"$\boldsymbol{\eta}_i$", r"$\eta_i$"),
     ),
     Symbols("angle of the axis", (NONE, NONE, NONE, r"$\alpha_i$", r"$\psi_i$")),

@@ -263,11 +263,12 @@ THEOREMS = (
     Theorem(
         "thm:no-slip",
         "When nothing slips: for all inputs, for some, for none",
-        r"The sphere can turn without any slip by exactly the spins that are perpendicular to all "
-        r"driven directions $\mathbf{e}_i$; the rollers then have the speeds $\nu_i = "
+        r"Let the contacts not all lie on one line through the centre. The sphere can turn without "
+        r"any slip by exactly the spins that are perpendicular to all driven directions "
+        r"$\mathbf{e}_i$; the rollers then have the speeds $\nu_i = "
         r"-r\langle\boldsymbol\eta_i, \boldsymbol\omega\rangle$. So the inputs without slip are a "
-        r"space of dimension $3 - \operatorname{rank}(\mathbf{e}_1, \ldots, \mathbf{e}_N)$, if the "
-        r"contacts do not lie on one line. *For all inputs:* of two rollers if and only if "
+        r"space of dimension $3 - \operatorname{rank}(\mathbf{e}_1, \ldots, \mathbf{e}_N)$. "
+        r"*For all inputs:* of two rollers if and only if "
         r"$\alpha_1$ and $\alpha_2$ are $0°$ (or $180°$); of three or more never. *For some:* two "
         r"rollers with other angles, exactly where $\nu_1\sin\alpha_1 = \nu_2\sin\alpha_2$; "
         r"three, where $\det(\mathbf{e}_1, \mathbf{e}_2, \mathbf{e}_3) = 0$. *For none* but rest: "

@@ -81,12 +81,36 @@ def elevations_of_printed(
     ]
 
 
+def shift_that_serves_all(printed: Mapping[str, Mapping[int, str]]) -> str:
+    """By how much (degrees) smaller elevations would give all printed slips, if one shift does.
+
+    `printed` as for `elevations_of_printed`; each number has to have one range of elevations.
+    Raises `ValueError` where it has not, or where no shift serves all numbers.
+    """
+    forms = dict(zip(EXTREMA, extrema(), strict=True))
+    shifts = []
+    for name, decimals in printed.items():
+        for k, decimal in decimals.items():
+            ((low, high),) = _ranges(forms[name], decimal)
+            stated = _degrees(ELEVATIONS[k - 1])
+            shifts.append((stated - high, stated - low))
+    least, most = max(low for low, _ in shifts), min(high for _, high in shifts)
+    if least > most:
+        raise ValueError("no shift serves all numbers")
+    return f"{least:.2f}° to {most:.2f}°"
+
+
 def _range(value: Expr, decimal: str) -> str:
+    ends = _ranges(value, decimal)
+    return " or ".join(f"{low:.2f}° … {high:.2f}°" for low, high in ends) or "none"
+
+
+def _ranges(value: Expr, decimal: str) -> list[tuple[float, float]]:
+    """Elevations (degrees) at which a slip rounds to a decimal; `ValueError` if undecided."""
     pieces = solve_for(value, ELEVATION, read_decimal(decimal).interval, UPPER_HALF)
     if isinstance(pieces, Undecided):
-        return f"undecided: {pieces.reason}"
-    ends = (tuple(_degrees(end) for end in piece) for piece in pieces)
-    return " or ".join(f"{low:.2f}° … {high:.2f}°" for low, high in ends) or "none"
+        raise ValueError(f"undecided: {pieces.reason}")
+    return [(_degrees(low), _degrees(high)) for low, high in pieces]
 
 
 def _degrees(angle: Expr | str) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Expr, ImmutableMatrix, Integer, Max, Symbol, acos, cos, pi, symbols
+from sympy import Expr, ImmutableMatrix, Integer, Max, Symbol, acos, cos, pi, sin, symbols
 
 from omniproof.kinematics import ballbot, frames
 from omniproof.papers.ballbot.derivations.motion import Vanishing, vanishing
@@ -67,17 +67,18 @@ def acceleration() -> Relation:
 
 @REGISTRY.derives("sec:3/platform-stays-level")
 def tilt() -> Relation:
-    """Sine of the tilt at which the weight balances a resistance to rolling.
+    """Moment (N m) about the ground contact of a level platform: it tilts unless that is zero.
 
-    About the point of contact with the ground: weight times lever arm is the resisting moment.
+    A platform that is tilted by t has the moment of its weight, depth h below the centre, as well.
     """
-    resistance = Symbol("M", real=True)
+    resistance, tilted = symbols("M t", real=True)
     weight, depth = symbols("W h", positive=True)
-    sine = resistance / (weight * depth)
+    moment = resistance - weight * depth * sin(tilted)
+    level = moment.subs(tilted, 0)
     return Relation(
-        (sine, Integer(0)),
+        (level, Integer(0)),
         condition=r"\text{nothing resists the rolling}",
-        proof=(Obligation(Form.EQUAL, (sine.subs(resistance, 0), Integer(0))),),
+        proof=(Obligation(Form.EQUAL, (level.subs(resistance, 0), Integer(0))),),
     )
 
 

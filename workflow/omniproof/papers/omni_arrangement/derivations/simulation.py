@@ -86,6 +86,7 @@ def family_of_type_z() -> Relation:
             Obligation(Form.EQUAL, (differences_of_sides(CORRECTED["Z"]), Integer(0))),
             Obligation(Form.POSITIVE, (volume - (printed - half), printed + half - volume)),
             Obligation(Form.POSITIVE, (volume_of(PRINTED["Z"]) - (printed + half),)),
+            Obligation(Form.POSITIVE, (differences_of_sides(PRINTED["Z"]) ** 2,)),
         ),
     )
 

@@ -69,8 +69,11 @@ def _input(name: str) -> Expr | Fit:
     return Fit(rate, SETUP, _cells()) if rate.free_symbols else rate
 
 
-for _name in _inputs():
-    REGISTRY.derives(_name, rests_on=["tab:2[V]"])(lambda name=_name: _input(name))
+for _name, _rate in _inputs().items():
+    # A roller that stands still does so at every speed, the printed one too.
+    REGISTRY.derives(_name, rests_on=["tab:2[V]"] if _rate.free_symbols else [])(
+        lambda name=_name: _input(name)
+    )
 
 
 @REGISTRY.derives("tab:2[V]")

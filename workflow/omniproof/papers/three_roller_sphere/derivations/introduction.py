@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Expr, Integer, pi, symbols
+from sympy import Expr, Integer, Symbol, pi, symbols
 
 from omniproof.kinematics import sphere
 from omniproof.papers.three_roller_sphere.derivations.quantities import (
@@ -10,17 +10,19 @@ from omniproof.papers.three_roller_sphere.derivations.quantities import (
     squared_distance,
 )
 from omniproof.papers.three_roller_sphere.rollers import POINT, RADIUS, ROLLERS, Roller
-from omniproof.registry import Obligation, Relation
+from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 
 ON_X = Roller(*map(Integer, (0, 0, 0, 0)))
 """A roller on the x-axis, axis along y."""
+APART = Symbol("epsilon", real=True)
+"""Way round the equator from one contact to the other."""
 
 
 def gap_between_lines(first: Roller, second: Roller) -> Expr:
     """How far the lines of two rollers pass by each other, times the sine of their angle.
 
-    Where it is zero, one spin leaves both rollers without slip.
+    Where it is zero and the contacts are apart and not opposite, one spin slips at neither roller.
     """
     (foot_1, p_1), (foot_2, p_2) = first.line(), second.line()
     return (foot_2 - foot_1).dot(p_1.cross(p_2))
@@ -35,14 +37,29 @@ def on_equator(angle_1: Expr, angle_2: Expr) -> tuple[Roller, Roller]:
 
 @REGISTRY.derives("sec:1/equator")
 def lines_of_the_equator() -> Relation:
-    """Gap between the lines of two rollers on the equator: it asks for level axes."""
+    """Gap between the lines of two rollers on the equator: it asks for level axes.
+
+    Opposite contacts have parallel lines, which do not meet for all speeds.
+    """
     tilted = on_equator(*symbols("psi_1 psi_2", real=True))
     level = on_equator(Integer(0), Integer(0))
+    sides = ((Integer(0), pi), (pi, 2 * pi))
     return Relation(
         (Integer(0), gap_between_lines(*tilted)),
-        condition=r"\psi_1 = \psi_2 = 0^\circ \text{: the axes lie in the plane of the equator}",
-        proof=(Obligation(Form.EQUAL, (Integer(0), gap_between_lines(*level))),),
+        condition=r"\psi_1 = \psi_2 = 0^\circ \text{ (the axes lie in the plane of the equator) "
+        r"and the contacts are not opposite to each other}",
+        proof=(
+            Obligation(Form.EQUAL, (Integer(0), gap_between_lines(*level))),
+            *(Obligation(Form.POSITIVE, Family(_crossing(), {APART: side})) for side in sides),
+        ),
     )
+
+
+def _crossing() -> Expr:
+    """Squared sine of the angle between two lines, by the way round the equator between them."""
+    first, second = (sphere.contact_direction(a, 0) for a in (Integer(0), APART))
+    across = first.cross(second)
+    return across.dot(across)
 
 
 @REGISTRY.derives("sec:1/two-degrees")

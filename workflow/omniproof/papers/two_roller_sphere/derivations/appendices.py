@@ -133,7 +133,8 @@ def sum_of_squares() -> Expr:
 # Appendix B
 
 
-@REGISTRY.derives("eq:B.1")
+# (B.4) and (B.5) take cosines of it, which do not see the sign.
+@REGISTRY.derives("eq:B.1", idle=True)
 def angle_to_tangent() -> Relation:
     """Angle between tangent 1 and contact 2, and the angle between the contacts less 90 degrees."""
     cosine = FIRST.tangent.dot(SECOND.direction)

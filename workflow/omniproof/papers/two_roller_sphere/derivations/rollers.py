@@ -33,6 +33,8 @@ from omniproof.transcription.model import Form
 APART = Symbol("epsilon", real=True)
 ROUND = {APART: (Integer(0), 2 * pi)}
 """From contact 1 to any other one, along a great circle or a circle of latitude (rad)."""
+WITH_NORMAL = {APART: (Integer(0), pi)}
+"""Angles (rad) between contacts for which (6) has a normal, and Section 2.2 a meaning."""
 
 # One roller
 
@@ -165,7 +167,7 @@ def on_great_circle() -> tuple[ImmutableMatrix, ImmutableMatrix]:
 def squared_sine() -> Family:
     """Squared cross product of the directions of two lines: zero for parallel ones."""
     first, second = on_great_circle()
-    return Family(first.cross(second).dot(first.cross(second)), ROUND)
+    return Family(first.cross(second).dot(first.cross(second)), WITH_NORMAL)
 
 
 def meeting(turning: ImmutableMatrix) -> ImmutableMatrix:
@@ -235,7 +237,7 @@ def sine_of_angle() -> tuple[Expr, Expr]:
 def determinant_of_two() -> Family:
     """Determinant of the normal equations of two rollers."""
     matrix = sphere.normal_matrix(on_great_circle())
-    return Family(matrix.det(method="berkowitz"), ROUND)
+    return Family(matrix.det(method="berkowitz"), WITH_NORMAL)
 
 
 def feet() -> tuple[ImmutableMatrix, ImmutableMatrix]:

@@ -39,8 +39,7 @@ from omniproof.transcription.model import Form
 CASES = range(len(ANGLES))
 QUARTER = pi / 2
 TURN = {DIRECTION: (Integer(0), 2 * pi)}
-SHIFTED_TURN = {DIRECTION: (-QUARTER, 3 * QUARTER)}
-"""A turn with 90 and 270 degrees inside, and one with 0 and 180 degrees inside."""
+"""Directions of travel; where 0 degrees matter, the claim says that they belong to it."""
 
 
 def at(value: Expr, degrees: int, case: int) -> Expr:
@@ -238,7 +237,7 @@ def slips(roller: int) -> dict[str, Expr]:
 
 
 def _slip_chain(roller: int) -> Ordered:
-    return Ordered(tuple(Abs(value) for value in slips(roller).values()), SHIFTED_TURN)
+    return Ordered(tuple(Abs(value) for value in slips(roller).values()), TURN)
 
 
 @REGISTRY.derives("sec:3/slip-chain-roller-1", meanings=lambda: slips(1))

@@ -37,7 +37,8 @@ def velocity_of_roller() -> ImmutableMatrix:
     return ROLLER.surface_velocity(allowed_spin())
 
 
-@REGISTRY.derives("eq:26")
+# The next sides of (26) have the right sign.
+@REGISTRY.derives("eq:26", idle=True)
 def slip_along_normal() -> Expr:
     """Component along the normal of the slip that the least-squares spin leaves."""
     return ROLLER.slip(spin()).dot(POLE)
