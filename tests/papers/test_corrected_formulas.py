@@ -7,10 +7,11 @@ from random import Random
 from typing import Any
 
 import pytest
+from audited import audited_once
 from numpy.testing import assert_allclose
 
 from omniproof.audit.ledger import Ledger, Row
-from omniproof.audit.run import audit_paper, prepare
+from omniproof.audit.run import prepare
 from omniproof.corrected import FUNCTIONS
 from omniproof.corrected.formula import Formula
 from omniproof.report.anchors import index
@@ -31,7 +32,7 @@ def faulty(ledger: Ledger) -> list[Row]:
 
 @pytest.fixture(scope="module", params=["ballbot", "omni-arrangement"])
 def ledger(request: pytest.FixtureRequest, root: Path) -> Ledger:
-    return audit_paper(root / "paper_data" / request.param)
+    return audited_once(root / "paper_data" / request.param)
 
 
 def test_every_false_formula_has_a_function(ledger: Ledger) -> None:
