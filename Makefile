@@ -17,13 +17,15 @@ build: $(VENV)/ready
 	@snakemake
 	@cat results/summary.txt
 
+# A process that has run out of tests takes half of another's: neighbours, which share their fixtures,
+# mostly stay together, and no long file is left for the end.
 test: $(VENV)/ready-to-test
 	@ruff check
 	@ruff format --check --quiet
 	@snakefmt --check Snakefile workflow/rules
 	@mypy
 	@snakemake --lint
-	@pytest --numprocesses auto --dist loadfile
+	@pytest --numprocesses auto --dist worksteal
 
 bench: $(VENV)/ready-to-test
 	@python tests/corpus/bench.py results/benchmarks

@@ -3,35 +3,23 @@
 from __future__ import annotations
 
 import importlib.util
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Page
 from small_report import RESULTS, ROOT
 
 from omniproof.report.book import read_ledgers
 from omniproof.transcription.model import Source
 
-CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome")
 COPIED = "navigator.clipboard.writeText = async (text) => { window.copied = text; };"
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    if CHROMIUM is None:
-        pytest.skip("no chromium on this machine")
-    with sync_playwright() as play:
-        found = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        yield found
-        found.close()
-
-
 @pytest.fixture
-def context(browser: Browser) -> Iterator[BrowserContext]:
-    found = browser.new_context(viewport={"width": 1280, "height": 900})
+def context(chromium: Browser) -> Iterator[BrowserContext]:
+    found = chromium.new_context(viewport={"width": 1280, "height": 900})
     found.add_init_script(COPIED)
     yield found
     found.close()
@@ -83,8 +71,8 @@ def test_heads_sort_by_gravity_and_not_by_the_alphabet(findings: Page) -> None:
     assert findings.locator("th", has_text="verdict").get_attribute("aria-sort") == "ascending"
 
 
-def test_findings_are_complete_without_a_script(browser: Browser, small: Path) -> None:
-    context = browser.new_context(java_script_enabled=False)
+def test_findings_are_complete_without_a_script(chromium: Browser, small: Path) -> None:
+    context = chromium.new_context(java_script_enabled=False)
     page = context.new_page()
     page.goto((small / "findings.html").as_uri())
     rows = read_ledgers(RESULTS)[0].rows

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from in_floats import floats
 from sympy import Matrix, Rational, cos, diag, eye, pi, simplify, sin, sqrt, symbols, zeros
 
 from omniproof.kinematics import ballbot, frames, omni, rolling
@@ -24,10 +25,6 @@ SMALL = st.fractions(min_value=-2, max_value=2, max_denominator=8).map(Rational)
 ANGLE = st.fractions(min_value=Rational(1, 8), max_value=3, max_denominator=8).map(Rational)
 LENGTH = st.fractions(min_value=Rational(1, 2), max_value=2, max_denominator=8).map(Rational)
 STEP = 1e-5
-
-
-def floats(matrix: Any) -> Any:
-    return np.array(matrix.evalf(30).tolist(), dtype=float)
 
 
 def turned(axis: Any, angle: float, point: Any) -> Any:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from in_floats import floats
 from sympy import Matrix, Rational, cos, eye, pi, sin, symbols, zeros
 
 from omniproof.kinematics import frames
@@ -17,10 +18,6 @@ QUICK = settings(deadline=None, max_examples=15)
 NUMBER = st.fractions(min_value=-3, max_value=3, max_denominator=8).map(Rational)
 VECTOR = st.tuples(NUMBER, NUMBER, NUMBER)
 A, D = symbols("a d", real=True)
-
-
-def floats(matrix: Any) -> Any:
-    return np.array(matrix.evalf(30).tolist(), dtype=float)
 
 
 def pose(angles: Any, shift: Any) -> Matrix:

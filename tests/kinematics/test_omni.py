@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from in_floats import floats
 from sympy import Expr, Integer, Matrix, Rational, cos, eye, pi, sin, sqrt, symbols
 
 from omniproof.kinematics import omni
@@ -18,10 +19,6 @@ ANGLE = st.fractions(min_value=-4, max_value=4, max_denominator=12).map(Rational
 LENGTH = st.fractions(min_value=Rational(1, 8), max_value=4, max_denominator=8).map(Rational)
 L = symbols("L", positive=True)
 ROOT3 = sqrt(3)
-
-
-def floats(matrix: Any) -> Any:
-    return np.array(matrix.evalf(30).tolist(), dtype=float)
 
 
 HAND_DERIVED = [

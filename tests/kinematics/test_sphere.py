@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from in_floats import floats
 from sympy import Matrix, Rational, diag, eye, pi, simplify, sin, sqrt, symbols, zeros
 
 from omniproof.kinematics import rolling, sphere
@@ -20,10 +21,6 @@ W = Matrix(symbols("w_x:z", real=True))
 NUMBER = st.fractions(min_value=-2, max_value=2, max_denominator=8).map(Rational)
 ROLLERS = st.lists(st.tuples(NUMBER, NUMBER, NUMBER, NUMBER), min_size=2, max_size=5)
 EAST, NORTH, UP = (Matrix(eye(3)[:, k]) for k in range(3))
-
-
-def floats(matrix: Any) -> Any:
-    return np.array(Matrix(matrix).evalf(30).tolist(), dtype=float)
 
 
 def placed(azimuth: Any, elevation: Any, angle: Any) -> tuple[Any, Any]:

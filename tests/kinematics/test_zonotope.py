@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from in_floats import floats
 from sympy import Matrix, Rational, diag, pi, sqrt
 
 from omniproof.kinematics import zonotope
@@ -24,10 +25,6 @@ def generators(rows: int, least: int, most: int) -> Any:
             lambda entries: Matrix(rows, n, entries)
         )
     )
-
-
-def floats(matrix: Any) -> Any:
-    return np.array(matrix.evalf(30).tolist(), dtype=float)
 
 
 def corners(columns: Any, bound: float = 1.0) -> Any:

@@ -1,13 +1,13 @@
-"""One audit of each paper, shared by the tests of a module."""
+"""One audit of each paper, shared by all tests of a process."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import pytest
+from audited import audited_once
 
 from omniproof.audit.ledger import Ledger, Row
-from omniproof.audit.run import audit_paper
 
 
 @pytest.fixture(scope="module")
@@ -18,8 +18,8 @@ def paper_folder(root: Path, request: pytest.FixtureRequest) -> Path:
 
 @pytest.fixture(scope="module")
 def ledger(paper_folder: Path) -> Ledger:
-    """Return the ledger of the paper as it stands in the repository."""
-    return audit_paper(paper_folder)
+    """Return the ledger of the paper that the test module names."""
+    return audited_once(paper_folder)
 
 
 @pytest.fixture(scope="module")

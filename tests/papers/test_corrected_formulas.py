@@ -15,13 +15,14 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from audited import audited_once
 from numpy.testing import assert_allclose
 from sympy import Abs, atan2, lambdify
 from sympy.core.function import AppliedUndef
 
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Ledger, Row, Verdict
-from omniproof.audit.run import audit_paper, prepare
+from omniproof.audit.run import prepare
 from omniproof.corrected import FUNCTIONS, omni_trajectory, two_roller_sphere
 from omniproof.report.anchors import base, index
 from omniproof.transcription.model import Kind, Source
@@ -99,7 +100,7 @@ class RandomPoint(dict[str, Any]):
 
 @pytest.fixture(scope="module", params=sorted(FUNCTIONS))
 def ledger(request: pytest.FixtureRequest, root: Path) -> Ledger:
-    return audit_paper(root / "paper_data" / request.param)
+    return audited_once(root / "paper_data" / request.param)
 
 
 def test_every_false_formula_has_a_function(ledger: Ledger) -> None:
@@ -129,7 +130,7 @@ def test_functions_equal_the_corrections_of_the_ledger(ledger: Ledger, root: Pat
 
 def correction(paper: str, claim: str, root: Path) -> tuple[str, Context]:
     """Return the correction of one claim, with what is needed to read it."""
-    rows = audit_paper(root / "paper_data" / paper).rows
+    rows = audited_once(root / "paper_data" / paper).rows
     (text,) = (row.correction for row in rows if row.id == claim)
     return text, prepare(root / "paper_data" / paper)
 

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import indent
 
 import pytest
 
@@ -43,11 +44,16 @@ class Project:
             check=False,
         )
 
-    def touch_only(self, *, but: str = "") -> None:
-        """Replace every script (but one) by one that only writes its outputs."""
+    def touch_only(self, *, but: tuple[str, str] = ("", "")) -> None:
+        """Replace every script by one that only writes its outputs, but for one job.
+
+        `but`: the script and the paper that it works on as ever.
+        """
+        kept, paper = but
         for script in (self.folder / "workflow" / "scripts").glob("*.py"):
-            if script.stem != but:
-                script.write_text(TOUCH)
+            own = indent(script.read_text(), "    ") if script.stem == kept else ""
+            rest = f"if snakemake.wildcards.paper != {paper!r}:{indent(TOUCH, '    ')}else:\n{own}"
+            script.write_text(rest if own else TOUCH)
 
     def steps(self) -> list[str]:
         """Return the progress lines of a dry run, without their numbers."""
@@ -76,13 +82,18 @@ def project(root: Path, tmp_path: Path) -> Project:
 
 
 @pytest.fixture(scope="session")
-def built(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Project:
-    """Return a copy in which every step ran once, by scripts that only touch."""
+def first_build(root: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Project, list[str]]:
+    """Return a copy in which every step ran once, by scripts that only touch; and what it said."""
     project = copy_of(root, tmp_path_factory.mktemp("built"))
     project.touch_only()
     done = project.run("snakemake")
     assert done.returncode == 0, done.stdout
-    return project
+    return project, done.stdout.splitlines()
+
+
+@pytest.fixture(scope="session")
+def built(first_build: tuple[Project, list[str]]) -> Project:
+    return first_build[0]
 
 
 @pytest.fixture(scope="session")

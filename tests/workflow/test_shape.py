@@ -1,6 +1,7 @@
 """The shape of our code: short functions, short files, short rules."""
 
 import ast
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -39,3 +40,13 @@ def test_functions_and_files_are_short(file):
     functions = [x for x in ast.walk(tree) if isinstance(x, ast.FunctionDef)]
     assert [f.name for f in functions if len(code_lines(f, lines)) > 50] == []
     assert len(lines) <= 400 or file.parts[0] == "tests"
+
+
+def test_no_two_test_files_have_one_name():
+    """Test files import each other by bare names, so a name stands for one file only.
+
+    A second file of that name is found only where no old bytecode hides it. pytest's import mode
+    `importlib` allows equal names of tests, but not these imports; so the names are counted here.
+    """
+    names = Counter(file.name for file in FILES if file.parts[0] == "tests")
+    assert [name for name, count in names.items() if count > 1 and name != "conftest.py"] == []

@@ -92,19 +92,26 @@ def rule_graph(dot: str, files: Sequence[RuleFile]) -> Graph:
 def import_graph(package: Path) -> Graph:
     """Return the parts of a package (folders and modules beside them), and what they import.
 
-    An arrow leads from the part that imports to the part that is imported; it weighs how many
-    files of the one import from the other.
+    The figures of a paper are a part of their own: they show what is simulated from what the paper
+    prints. An arrow leads from the part that imports to the part that is imported; it weighs how
+    many files of the one import from the other.
     """
     arrows: Counter[Arrow] = Counter()
     groups: dict[str, str] = {}
     for file in sorted(package.rglob("*.py")):
-        part = file.relative_to(package).parts[0].removesuffix(".py")
+        path = file.relative_to(package).with_suffix("").parts
+        part = _part(path)
         if part.startswith("__"):
             continue
-        groups[part] = "package" if (package / part).is_dir() else "module"
-        known = {name.partition(".")[0] for name in imported(file, package.name)} - {part}
+        groups[part] = "module" if len(path) == 1 else "package"
+        known = {_part(name.split(".")) for name in imported(file, package.name)} - {part}
         arrows.update((part, other) for other in known)
     return Graph(groups, Counter({arrow: n for arrow, n in arrows.items() if arrow[1] in groups}))
+
+
+def _part(path: Sequence[str]) -> str:
+    """Return the part that a module belongs to."""
+    return "figures" if path[0] == "papers" and "figures" in path else path[0]
 
 
 def parts(package: Path) -> tuple[tuple[str, str], ...]:
