@@ -95,12 +95,26 @@ def test_a_servo_speeds_up_a_wheel_and_its_armature(engine, damping):
 
 
 @BOTH
+def test_an_engine_that_gives_up_is_heard(engine):
+    """MuJoCo goes on after a warning, Drake stops."""
+
+    def push(model, data):
+        data.ctrl[0] = math.nan
+
+    def rate(model, data):
+        return {"rate": data.qvel[0]}
+
+    with pytest.raises(ImplausibleRunError, match=r"^at t = 0.01 s the engine warned: "):
+        record(SERVO.format(damping=0), engine, control=push, observe=rate)
+
+
+@BOTH
 def test_a_spinning_body_keeps_its_spin_in_the_frame_that_observers_expect(engine):
     """Off one of its own axes, a spin that is no longer the body's x is still the world's."""
     xml = """<mujoco><option cone="elliptic" gravity="0 0 0"/><worldbody>
     <body name="ball" euler="0 90 0">
     <freejoint/><geom type="sphere" size=".1" mass="1"/><body><joint name="rotor" axis="0 0 1"/>
-    <geom type="sphere" size=".01" mass="1e-6"/></body></body></worldbody>
+    <geom type="sphere" size=".1" mass="1"/></body></body></worldbody>
     <actuator><motor joint="rotor"/></actuator></mujoco>"""
 
     def push(model, data):

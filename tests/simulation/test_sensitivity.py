@@ -78,9 +78,11 @@ def test_a_row_has_parameters_errors_and_the_time(tmp_path, capsys, monkeypatch,
 
 
 @pytest.mark.slow
-def test_flying_errors_stay_below_a_hundredth_over_the_whole_study(monkeypatch, root):
-    """The paper's text prints its errors to 1/100; rollers that are few or lie in two rows jolt."""
+def test_from_a_flying_start_no_error_exceeds_what_the_paper_prints(monkeypatch, root):
+    """Over the whole study. The least error that it prints is 0.01, the greatest 0.03, rounded."""
     monkeypatch.chdir(root)
     for case in study():
         if case.parameters["start"] == "flying":
-            assert float(measured(case)["length_error"]) < 0.01
+            errors = measured(case)
+            assert float(errors["length_error"]) < 0.015
+            assert float(errors["mean_error"]) < 0.035

@@ -11,8 +11,6 @@ OUTPUTS:
     summary    = results/simulation/summary.csv
 """
 
-from omniproof.simulation.engines import can_run
-
 # One rule a model, since models differ in their cases and in the papers whose set-ups they take.
 # Cases of an engine that has no package for this platform are left out; their chapter says so.
 for model, cases in settings.simulation.items():

@@ -147,10 +147,26 @@ class _Twin:
 
 
 def _twin(model: mujoco.MjModel) -> _Twin:
-    """Build the plant of a model."""
+    """Build the plant of a model, and what steps it."""
     for fault in _untranslated(model):
         raise ValueError(f"expected a model that Drake can run too, found {fault}")
     builder = DiagramBuilder()
+    plant, joints, motors = _plant(model, builder)
+    simulator = Simulator(builder.Build())
+    return _Twin(
+        model,
+        plant,
+        simulator,
+        plant.GetMyMutableContextFromRoot(simulator.get_mutable_context()),
+        np.concatenate([_places(model, joint, drake) for joint, drake in joints.items()]),
+        np.concatenate([_rates(model, joint, drake) for joint, drake in joints.items()]),
+        tuple((model.jnt_qposadr[one], model.jnt_dofadr[one]) for one in _free(model)),
+        motors,
+    )
+
+
+def _plant(model: mujoco.MjModel, builder: Any) -> tuple[Any, dict[int, Any], np.ndarray]:
+    """Add a plant; return it, its joints by MuJoCo's numbers, and the inputs of the motors."""
     config = MultibodyPlantConfig(
         time_step=model.opt.timestep,
         contact_model="point",
@@ -166,17 +182,7 @@ def _twin(model: mujoco.MjModel) -> _Twin:
     plant.Finalize()
     _keep_apart(model, scene, geoms)
     motors = [actuators[joint].input_start() for joint in model.actuator_trnid[:, 0]]
-    simulator = Simulator(builder.Build())
-    return _Twin(
-        model,
-        plant,
-        simulator,
-        plant.GetMyMutableContextFromRoot(simulator.get_mutable_context()),
-        np.concatenate([_places(model, joint, drake) for joint, drake in joints.items()]),
-        np.concatenate([_rates(model, joint, drake) for joint, drake in joints.items()]),
-        tuple((model.jnt_qposadr[one], model.jnt_dofadr[one]) for one in _free(model)),
-        np.array(motors, dtype=int),
-    )
+    return plant, joints, np.array(motors, dtype=int)
 
 
 SHAPES = {

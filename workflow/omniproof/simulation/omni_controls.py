@@ -7,7 +7,7 @@ and all, and has to be off by far more than the corrected one. No formula is typ
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from functools import cache
 from math import degrees, hypot
 from pathlib import Path
@@ -39,7 +39,7 @@ from omniproof.transcription.loader import load_paper
 PAPER = Path("paper_data/omni-trajectory")
 
 
-Speeds = Sequence[Any]
+Speeds = tuple[Any, ...]
 """Speeds of the three wheels in m/s, exact."""
 
 UNITS: Mapping[str, str] = {
@@ -103,6 +103,7 @@ def _printed_direction(twist: ImmutableMatrix) -> float:
     return float(value.subs({**moving, HEADING: 0}))
 
 
+@cache
 def printed(claim: str, speeds: Speeds, body_radius: Any) -> Any:
     """Return what a printed formula says for constant wheel `speeds` and a body radius (m), exact.
 

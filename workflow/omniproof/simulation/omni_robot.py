@@ -9,6 +9,7 @@ in the path for good. The paper does not say which one it has.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 from math import atan2, degrees, pi
 from types import MappingProxyType
 
@@ -188,8 +189,9 @@ def summarise(case: Case, recording: Recording) -> dict[str, float]:
     with the path that the other printed body radius would give. A large `height_range` would show
     a robot that jumps.
     """
-    speeds, body_radius = _wheel_speeds(case), Rational(str(case.parameters["body_radius"]))
-    moving = trajectory.body_twist(_angles(case), body_radius, speeds)
+    angles, speeds = str(case.parameters["wheel_angles_deg"]), _wheel_speeds(case)
+    body_radius = Rational(str(case.parameters["body_radius"]))
+    moving = _twist(angles, speeds, body_radius)
     places = np.column_stack([recording.columns["x"], recording.columns["y"]])
     numbers = _path_numbers(recording, places, moving)
     numbers |= path_controls(recording.time, places, speeds, moving, body_radius)
@@ -197,7 +199,7 @@ def summarise(case: Case, recording: Recording) -> dict[str, float]:
         numbers |= _circle_numbers(places, moving) | circle_controls(places, speeds, body_radius)
         # The paper may have built its robot with one radius and computed with the other.
         other = max(setup.RADII.values(), key=lambda printed: abs(printed - body_radius))
-        elsewhere = theory_path(recording.time, trajectory.body_twist(_angles(case), other, speeds))
+        elsewhere = theory_path(recording.time, _twist(angles, speeds, other))
         numbers["mean_error_other_body"] = mean_error(recording.time, elsewhere, places)
     return numbers
 
@@ -239,14 +241,17 @@ def theory_path(time: np.ndarray, moving: ImmutableMatrix) -> np.ndarray:
     return path_at(time, passing, trajectory.constant_speed_path(moving, passing))
 
 
-def _wheel_speeds(case: Case) -> list[Expr]:
+def _wheel_speeds(case: Case) -> tuple[Expr, ...]:
     radius = Rational(str(case.parameters["radius"]))
     rates = str(case.parameters["rates_rpm"]).split()
-    return [radius * sympy.pi / 30 * Rational(rate) for rate in rates]
+    return tuple(radius * sympy.pi / 30 * Rational(rate) for rate in rates)
 
 
-def _angles(case: Case) -> list[Expr]:
-    return [rad(Rational(angle)) for angle in str(case.parameters["wheel_angles_deg"]).split()]
+# Many cases differ in what theory does not know, so that its part is worth keeping.
+@cache
+def _twist(angles_deg: str, speeds: tuple[Expr, ...], body_radius: Expr) -> ImmutableMatrix:
+    angles = [rad(Rational(angle)) for angle in angles_deg.split()]
+    return trajectory.body_twist(angles, body_radius, speeds)
 
 
 MODEL = Model(tuple(_cases()), simulate, summarise, UNITS)

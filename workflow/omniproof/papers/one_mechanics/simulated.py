@@ -171,7 +171,7 @@ def change_by_step(summary: pd.DataFrame) -> str:
     numbers = _by_case(summary)
     found = [numbers[case]["error_dry"] for case, (creep, _) in CREEPS.items() if creep == 1]
     change = max(found) - min(found)
-    return _short(change) if change >= LAST_DIGIT else f"less than {_short(LAST_DIGIT)}"
+    return f"{change:.6f}" if change >= LAST_DIGIT else f"less than {LAST_DIGIT:.6f}"
 
 
 def equator(summary: pd.DataFrame) -> list[list[str]]:
