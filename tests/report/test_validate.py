@@ -51,6 +51,14 @@ def test_a_sound_report_is_valid(html: Path, ledger: Ledger, results: Path) -> N
     validate_book(html, [ledger], sorted(results.glob("figures/*/*.svg")))
 
 
+def test_a_theorem_that_no_page_shows_is_named(html: Path, ledger: Ledger, results: Path) -> None:
+    shutil.copyfile(results / "theorems.json", html / "theorems.json")
+    with pytest.raises(InvalidBookError) as caught:
+        validate_book(html, [ledger])
+    expected = "theorems.json: thm:one-measure stands in 0 places, expected one"
+    assert caught.value.faults == (expected,)
+
+
 FAULTS = [
     pytest.param(
         replaced(CHAPTER, 'id="eq-1"', 'id="eq-one"'),

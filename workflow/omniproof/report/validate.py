@@ -16,10 +16,11 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from omniproof.audit.ledger import Ledger, Verdict
-from omniproof.report.anchors import unique_anchors
+from omniproof.report.anchors import anchor, unique_anchors
 from omniproof.report.cards import card_faults
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.counts import ALL, verdict_counts
+from omniproof.report.fragments.theorems import read_theorems
 from omniproof.report.prose import Prose
 
 _MARKERS = re.compile(r"\{(?:glue|ref|eq|cite|numref|doc)[^}]*\}`|\[\?\]|\?\?|Unexecuted inline")
@@ -148,6 +149,7 @@ def validate_book(html: Path, ledgers: Sequence[Ledger], figures: Iterable[Path]
         *_sum_faults(pages.get("index.html"), ledgers),
         *(fault for ledger in ledgers for fault in _chapter_faults(pages, ledger)),
         *(fault for ledger in ledgers for fault in _card_faults(html, ledger)),
+        *_theorem_faults(html, pages.values()),
         *(fault for path in figures for fault in _shown_faults(pages, path)),
         *(fault for page in pages.values() for fault in _page_faults(html, page, pages)),
         *_style_faults(html),
@@ -178,6 +180,14 @@ def _card_faults(html: Path, ledger: Ledger) -> Iterator[str]:
     if page.is_file():
         text = page.read_text(encoding="utf-8")
         yield from card_faults(page.name, text, ledger, Derived(ledger))
+
+
+def _theorem_faults(html: Path, pages: Iterable[Page]) -> Iterator[str]:
+    """A theorem stands on one page, where it has its number."""
+    shown = Counter(name for page in pages for name in page.ids)
+    for theorem in read_theorems(html / "theorems.json"):
+        if (count := shown[anchor(theorem.id)]) != 1:
+            yield f"theorems.json: {theorem.id} stands in {count} places, expected one"
 
 
 def _sum_faults(index: Page | None, ledgers: Sequence[Ledger]) -> Iterator[str]:
