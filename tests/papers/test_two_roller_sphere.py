@@ -85,7 +85,7 @@ EXPECTED = [
     verdict("app:A/circle", "erratum", "k_0^2/4 + k_0^2/4", source="doubtful",
             derived=r"\frac{k_0^{2}}{2}"),
     verdict("app:A/sum-of-squares", "erratum", "one distance twice", source="clear",
-            repair="explained"),
+            repair="explained", correction="d_1^2 + d_2^2"),
     verdict("eq:B.1", "conditional", "from X_1 to P_2 it is 90 degrees less, or 90 less that",
             assumption=r"\angle P_1OP_2 \geq 90^\circ", consequence="text",
             witness="delta=3/2; printed=-0.07080; derived=0.07080"),
