@@ -107,10 +107,12 @@ def _mended(found: Iterable[Repair], grade: Grade, context: Context) -> Mended:
 
 
 def _unlike(found: Iterable[Repair], context: Context) -> Iterator[Repair]:
-    """Leave out what is an earlier repair in another spelling."""
-    seen = set()
+    """Leave out what is an earlier repair in another spelling, unless the paper has that one."""
+    alike: dict[object, list[Repair]] = {}
     for edit in found:
         node = read_with(edit.text, context.loaded.paper.notation, context.names)
-        if (form := likeness(node)) not in seen:
-            seen.add(form)
-            yield edit
+        alike.setdefault(likeness(node), []).append(edit)
+    printed = [text for claim in context.claims.values() for text in claim.latex]
+    for spellings in alike.values():
+        familiar = (edit for edit in spellings if any(edit.text in text for text in printed))
+        yield next(familiar, spellings[0])

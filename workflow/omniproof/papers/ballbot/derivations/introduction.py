@@ -77,7 +77,7 @@ def bracket_of_rolling() -> Relation:
     along_x, along_y = (ballbot.ball_twist(*v, 0, BALL_RADIUS) for v in ((1, 0), (0, 1)))
     left = along_x.rotation.cross(along_y.rotation)
     return Relation(
-        (left[2], Integer(0)),
+        (Integer(0), left[2]),
         condition=r"\text{only position and heading of the platform are counted, not the ball's}",
         proof=(Obligation(Form.POSITIVE, determinant_of_law()),),
     )

@@ -59,7 +59,7 @@ def acceleration() -> Relation:
     path = moved * frames.rotation("z", YAW_RATE * TIME) * point
     found = path.diff(TIME, 2).subs(TIME, 0)[0]
     return Relation(
-        (found, Integer(0)),
+        (Integer(0), found),
         condition=r"\omega_z^B = 0",
         proof=(Obligation(Form.EQUAL, (found.subs(YAW_RATE, 0), Integer(0))),),
     )
@@ -76,7 +76,7 @@ def tilt() -> Relation:
     moment = resistance - weight * depth * sin(tilted)
     level = moment.subs(tilted, 0)
     return Relation(
-        (level, Integer(0)),
+        (Integer(0), level),
         condition=r"\text{nothing resists the rolling}",
         proof=(Obligation(Form.EQUAL, (level.subs(resistance, 0), Integer(0))),),
     )
@@ -90,7 +90,7 @@ def velocity_at_contact() -> Relation:
     centre = ballbot.platform_twist(V_X, V_Y, YAW_RATE).velocity * TIME
     place = (centre + lowest).diff(TIME)
     return Relation(
-        (material[0], V_X),
+        (V_X, material[0]),
         condition=r"G \text{ is the place of contact; the ball's own point there is at rest}",
         proof=(
             Obligation(Form.EQUAL, (place[0], V_X)),
@@ -106,7 +106,7 @@ def yaw_at_contact() -> Relation:
     platform = ballbot.platform_twist(V_X, V_Y, YAW_RATE)
     law = ballbot.wheel_law(PHI, RUNNING_RADIUS, BALL_RADIUS)
     return Relation(
-        (ball.rotation[2], platform.rotation[2]),
+        (platform.rotation[2], ball.rotation[2]),
         condition=r"\omega_z^G \text{ is the yaw rate of the platform, not the spin of the ball}",
         proof=tuple(Obligation(Form.EQUAL, (law[k, 2], -law[k, 3])) for k in range(law.rows)),
     )

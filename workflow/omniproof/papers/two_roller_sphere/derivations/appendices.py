@@ -140,7 +140,7 @@ def angle_to_tangent() -> Relation:
     cosine = FIRST.tangent.dot(SECOND.direction)
     less = BETWEEN - pi / 2
     return Relation(
-        (acos(cosine), less),
+        (less, acos(cosine)),
         condition=r"\angle P_1OP_2 \geq 90^\circ",
         proof=(
             Obligation(Form.EQUAL, (cosine, cos(less))),

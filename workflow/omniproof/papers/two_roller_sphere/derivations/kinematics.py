@@ -162,7 +162,7 @@ def length_of_normal() -> Relation:
     """Squared length of the cross product in the simulation, and one."""
     products = [normal().dot(column) for column in columns()]
     return Relation(
-        (in_case_0(squared_length()), Integer(1)),
+        (Integer(1), in_case_0(squared_length())),
         correction=r"\text{the normal vector } \mathbf{X} \times \mathbf{Y}",
         proof=(Obligation(Form.EQUAL, vanishing(products)),),
     )

@@ -51,7 +51,7 @@ def driven_out_of_plane() -> Relation:
     volume = ImmutableMatrix.hstack(ROLLER.direction, ROLLER.axis, ROLLER.driven).det()
     products = (ROLLER.driven.dot(ROLLER.contact), ROLLER.driven.dot(ROLLER.axis))
     return Relation(
-        (volume, Integer(0)),
+        (Integer(0), volume),
         correction=(r"\mathbf{e}_i \in \mathrm{span}\{\mathbf{P}_i, \boldsymbol{\eta}_i\}^{\perp}"),
         proof=(Obligation(Form.EQUAL, vanishing(products)),),
     )
@@ -86,7 +86,7 @@ def slip_along_axis() -> Relation:
     """Slip along the axis of a roller, where two rollers make the spin."""
     met = {ROLLER.speed: sin(OTHER.angle), OTHER.speed: sin(ROLLER.angle)}
     return Relation(
-        (ROLLER.slip(spin()).dot(ROLLER.axis), Integer(0)),
+        (Integer(0), ROLLER.slip(spin()).dot(ROLLER.axis)),
         condition=(
             r"\text{there is one roller, or } \nu_1 \sin\alpha_1 = \nu_2 \sin\alpha_2"
             r" \text{, or } \alpha_i = \pm 90^\circ"
