@@ -98,7 +98,7 @@ def _name_paths(ax: Axes, frame: pd.DataFrame) -> None:
     ax.set(xlim=(-0.09, 0.15), ylim=(-0.012, 0.15), xlabel="$X_W$ [m]", ylabel="$Y_W$ [m]")
     ax.set_xticks([-0.05, 0, 0.05, 0.1, 0.15])
     ax.set_yticks([0, 0.05, 0.1, 0.15])
-    ax.set_title("(a) paths, a mark every 0.25 s")
+    ax.set_title("(a) paths, a mark every 0.5 s")
     ax.grid(visible=True)
     ((x, y),) = points(frame, f"heading {CIRCLES[0].name}", "start")
     line(ax, [[0, 0], [0.14 * x, 0.14 * y]], ls=":", color=ACCENT)

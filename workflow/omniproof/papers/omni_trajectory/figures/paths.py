@@ -21,9 +21,9 @@ from omniproof.report.svg import ACCENT, INK, SMALL_SIZE
 
 TIME = Symbol("t", nonnegative=True)
 STEPS = 60
-MARK_EVERY = 5
+MARK_EVERY = 10
 TIMES: Floats = np.arange(STEPS + 1) * float(DURATION) / STEPS
-"""Samples of a path every 0.05 s; a mark every 0.25 s."""
+"""Samples of a path every 0.05 s; a mark every 0.5 s."""
 
 STARTS: Mapping[str, str] = {"flying": "-", "standing": ":"}
 """Starts of the simulated robot, and how their distances from the theory are drawn."""
