@@ -8,7 +8,7 @@ question of its own. Questions of sign and concavity are in `signs`.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import product
 from typing import Any, assert_never
 
@@ -87,24 +87,34 @@ def _not_on_faces(
     family: Family, candidates: Points, direction: int, closed: Closed
 ) -> Answer | None:
     """Return why a point of a closed face is as good as the candidates; None where none is."""
-    place = dict(zip(family.box, candidates[0], strict=True))
-    best = family.expression.subs(place)
+    best = family.expression.subs(dict(zip(family.box, candidates[0], strict=True)))
     for at, rest in faces(family.box, closed):
+        own = _lying_on(family, candidates, at)
         value = family.expression.subs(at)
-        points = [dict(zip(family.box, point, strict=True)) for point in candidates]
-        own = [p for p in points if all(vanishes(subtract(p[s], end)) for s, end in at.items())]
-        inner = [tuple(p[s] for s in rest) for p in own]
-        inner = [point for point in inner if rest and Box.of(rest).contains(point)]
+        # A corner that is a candidate itself is no better than the candidates.
         if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo) or (own and not rest):
             continue
+        inner = [tuple(point[symbol] for symbol in rest) for point in own]
+        inner = [point for point in inner if Box.of(rest).contains(point)]
         if inner:
             answer = _extremum(OnBox(value, rest), inner, direction, OPEN)
         else:
-            better = OnBox(direction * subtract(value, best), rest)
-            answer = sign_on(better, 1) if rest else of_number(better.expression, 1)
+            answer = _worse(OnBox(direction * subtract(value, best), rest))
         if not isinstance(answer, Proved):
             return on_face(answer, at)
     return None
+
+
+def _lying_on(
+    family: Family, candidates: Points, at: Mapping[sp.Symbol, Any]
+) -> list[dict[sp.Symbol, Any]]:
+    """Return the candidates that lie on the face where some symbols have these values."""
+    points = [dict(zip(family.box, point, strict=True)) for point in candidates]
+    return [p for p in points if all(vanishes(subtract(p[s], end)) for s, end in at.items())]
+
+
+def _worse(lead: OnBox) -> Answer:
+    return sign_on(lead, 1) if lead.box else of_number(lead.expression, 1)
 
 
 def _refuted(function: Quotient, point: tuple[Any, ...], best: sp.Expr) -> Refuted:

@@ -217,19 +217,26 @@ def _sign_on_line(function: Quotient, wanted: int, zero: bool, closed: tuple[boo
     good = [end for end in ends if _suits(sign(function.at((end,))), wanted, zero)]
     bad = [end for end in ends if end not in good]
     zeros = [point for point in chart.points[1:-1] if not function.is_pole((point,))]
-    holes = [] if zero else zeros
+    allowed, holes = (zeros, []) if zero else ([], zeros)
     wrong = _point_of_sign(function.box, chart, -wanted) or tuple([*holes, *bad][:1])
     if not wrong:
         return Proved(ENGINE)
     shown = "0" if wrong[0] in holes else function.digits(wrong)
     witness = Witness(function.name(wrong), CLAIM[wanted], shown)
-    pieces = pieces_of(chart, wanted, lambda point: zero and point in zeros)
-    if zero:
-        alone = [p for p, own in zip(chart.points[1:-1], pairwise(chart.signs), strict=True)
-                 if p in zeros and wanted not in own]  # fmt: skip
-        points = (Piece(point, point, True, True) for point in alone)
-        pieces = tuple(sorted((*pieces, *points), key=lambda each: chart.points.index(each.lower)))
+    pieces = _pieces_with_zeros(chart, wanted, allowed)
     return _on_pieces(function.asked[0], _with_ends(pieces, good), witness)
+
+
+def _pieces_with_zeros(chart: Chart, wanted: int, allowed: list[Any]) -> tuple[Piece, ...]:
+    """Return where the sign holds, or the value is one of the zeros that are `allowed`."""
+    pieces = pieces_of(chart, wanted, lambda point: point in allowed)
+    # A zero that the function only touches from the other side belongs to no piece.
+    touched = [
+        Piece(point, point, True, True)
+        for point, around in zip(chart.points[1:-1], pairwise(chart.signs), strict=True)
+        if point in allowed and wanted not in around
+    ]
+    return tuple(sorted((*pieces, *touched), key=lambda each: chart.points.index(each.lower)))
 
 
 def _with_ends(pieces: tuple[Piece, ...], ends: list[Any]) -> tuple[Piece, ...]:

@@ -192,18 +192,27 @@ class Claim(Record):
         return (value,) if isinstance(value, str) else value
 
     @model_validator(mode="after")
-    def _complete(self) -> Self:
+    def _evidence_is_whole(self) -> Self:
         if (self.uncheckable is None) != (self.decided_by is None):
             raise ValueError("`uncheckable` and `decided_by` (what would decide it) go together")
         decoded = self.reading is Reading.GLYPHS and bool(self.latex or self.quote)
         if (self.glyphs and not decoded) or (self.lost and not self.glyphs):
             raise ValueError("only what is decoded (`reading: glyphs`) has `glyphs` and `lost`")
-        if self.uncheckable is None:
-            needs = _NEEDS.get(self.kind)
-            if needs and not getattr(self, needs):
-                raise ValueError(f"a claim of kind {self.kind} needs `{needs}`")
-        if self.kind is Kind.VALUE and self.uncheckable is None:
+        return self
+
+    @model_validator(mode="after")
+    def _has_what_its_kind_needs(self) -> Self:
+        if self.uncheckable is not None:
+            return self
+        needs = _NEEDS.get(self.kind)
+        if needs and not getattr(self, needs):
+            raise ValueError(f"a claim of kind {self.kind} needs `{needs}`")
+        if self.kind is Kind.VALUE:
             _check_decimal(str(self.printed))
+        return self
+
+    @model_validator(mode="after")
+    def _has_nothing_of_other_kinds(self) -> Self:
         if self.asserts and self.kind is not Kind.RELATION:
             raise ValueError("`asserts` belongs to kind relation")
         if self.assumes and self.kind not in {Kind.IDENTITY, Kind.RELATION}:
