@@ -1,8 +1,12 @@
 """Source files by import: complete for every form of the import statement, and no more."""
 
+import ast
+
 import pytest
 
-from omniproof.sources import sources
+from omniproof.sources import PACKAGE, imported, sources
+
+FOLDERS = sorted({file.parent for file in PACKAGE.rglob("*.py")})
 
 
 @pytest.fixture
@@ -44,3 +48,17 @@ def test_sources(package, modules, expected):
 def test_unknown_module_is_an_error(package):
     with pytest.raises(ModuleNotFoundError, match="pack has no module nowhere"):
         sources("a", "nowhere", package=package)
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
+def test_lines_say_what_syntax_trees_say(folder):
+    """Python's own parser is asked about every file of the package."""
+    for file in folder.glob("*.py"):
+        names = set()
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Import):
+                names |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+        own = {name.partition(".")[2] for name in names if name.startswith("omniproof.")}
+        assert imported(file, "omniproof") == own

