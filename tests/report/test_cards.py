@@ -36,7 +36,7 @@ def test_nothing_is_lacking(text: str, ledger: Ledger) -> None:
         pytest.param("derivations", "code", "the source of its derivation", id="derivation"),
         pytest.param('"ledger.csv"', '"x.csv"', "a link to the data", id="data"),
         pytest.param("✗", "", "the shape of its verdict", id="shape"),
-        pytest.param(" erratum</span>", "</span>", "its verdict in colour and words", id="word"),
+        pytest.param(" erratum</span>", "</span>", "its verdict in words", id="word"),
         pytest.param('class="facts"', 'class="x"', "a card", id="the whole card"),
     ],
 )

@@ -44,6 +44,10 @@ class Card:
     links: list[str] = field(default_factory=list)
     words: str = ""
 
+    def copied(self, language: str) -> str:
+        """Return what the button of a language copies."""
+        return self.attributes.get(f"data-{language}", "")
+
 
 class Cards(HTMLParser):
     """The cards of a page, by the address in them (`#eq-6-2-3`)."""
@@ -114,24 +118,22 @@ def card_faults(page: str, text: str, ledger: Ledger, derived: Derived) -> Itera
 
 def _lacking(row: Row, card: Card, derived: Derived) -> Iterator[str]:
     """Yield what a card lacks of its row."""
-    mark = MARKS[row.verdict]
-    if card.claim != f"v-{row.verdict}" or mark.word not in card.words:
-        yield "its verdict in colour and words"
-    if mark.shape not in card.words:
-        yield "the shape of its verdict"
+    mark, source = MARKS[row.verdict], derived.source(row.id)
+    right = row.correction or row.derived or row.printed
+    changed = bool(row.correction and changes(row.printed, row.correction))
+    # Of formulas only: deriving every number and relation again takes longer than all checks.
+    formula = row.kind is Kind.IDENTITY
+    wanted = {
+        "its verdict in colour": card.claim == f"v-{row.verdict}",
+        "its verdict in words": mark.word in card.words,
+        "the shape of its verdict": mark.shape in card.words,
+        "what changes": not changed or "change" in card.terms,
+        "the source of its derivation": not source or code_link(source) in card.links,
+        "a link to the data": "ledger.csv" in card.links,
+        "LaTeX to copy": not is_latex(right) or card.copied("latex") == right,
+        "SymPy to copy": not formula or card.copied("sympy") == derived.sympy(row.id),
+    }
+    yield from (what for what, there in wanted.items() if not there)
     for column, term in TERMS.items():
         if getattr(row, column) and not card.terms.get(term):
             yield term
-    if row.correction and changes(row.printed, row.correction) and "change" not in card.terms:
-        yield "what changes"
-    source = derived.source(row.id)
-    if source and code_link(source) not in card.links:
-        yield "the source of its derivation"
-    if "ledger.csv" not in card.links:
-        yield "a link to the data"
-    right = row.correction or row.derived or row.printed
-    if is_latex(right) and card.attributes.get("data-latex") != right:
-        yield "LaTeX to copy"
-    # Of formulas only: deriving every number and relation again takes longer than all checks.
-    if row.kind is Kind.IDENTITY and card.attributes.get("data-sympy", "") != derived.sympy(row.id):
-        yield "SymPy to copy"
