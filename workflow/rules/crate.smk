@@ -5,8 +5,8 @@ REQUIRED INPUTS:
     index    = book/_build/html/index.html
     data     = paper_data/{paper}/*
     config   = workflow/config.yaml
-    packages = requirements.in
-    lock     = requirements.lock
+    packages = requirements*.in
+    locks    = requirements*.lock
 
 OUTPUTS:
     crate = book/_build/html/ro-crate-metadata.json
@@ -21,8 +21,8 @@ rule crate:
         index="book/_build/html/index.html",
         data=[file for paper in settings.papers for file in paper_data(paper)],
         config="workflow/config.yaml",
-        packages="requirements.in",
-        lock="requirements.lock",
+        packages=["requirements.in", "requirements-engines.in"],
+        locks=["requirements.lock", "requirements-engines.lock"],
         package=package("report.crate", "report.revision", "report.fragments.overview"),
     output:
         crate="book/_build/html/ro-crate-metadata.json",
