@@ -9,9 +9,10 @@ from omniproof.report.step import step
 
 with step(snakemake) as output:
     made_by = snakemake.input
+    asked_for = [Path(file).read_text(encoding="utf-8") for file in made_by.packages]
     run = Run(
         revision=Revision(snakemake.params.commit, snakemake.params.date),
-        packages=versions("\n".join(map(Path.read_text, map(Path, made_by.packages)))),
+        packages=versions("\n".join(asked_for)),
         inputs=tuple(map(Path, [*made_by.data, made_by.config, *made_by.locks])),
         papers={key: read_edition(Path("paper_data") / key) for key in snakemake.params.papers},
     )
