@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import pty
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -38,6 +40,16 @@ def run(
 def check(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
     status = cli.main(["check", *arguments])
     return status, *capsys.readouterr()
+
+
+@pytest.fixture
+def typed(monkeypatch: pytest.MonkeyPatch) -> Callable[[bytes], None]:
+    """Return a way to say what stdin holds."""
+
+    def put(held: bytes) -> None:
+        monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(held)))
+
+    return put
 
 
 @pytest.mark.parametrize(
@@ -90,10 +102,10 @@ def test_the_whole_output_on_a_branch() -> None:
     )
 
 
-def test_the_whole_output_of_bad_input() -> None:
-    done = run("1/3L = x")
-    assert (done.returncode, done.stdout) == (2, b"")
-    assert done.stderr.decode() == (
+def test_the_whole_output_of_bad_input(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, err = check(capsys, "1/3L = x")
+    assert (status, out) == (2, "")
+    assert err == (
         "it is not clear what the slash divides by\n"
         "    1/3L = x\n"
         "    ~~~^\n"
@@ -128,12 +140,28 @@ def test_a_formula_from_stdin() -> None:
             b"((9^{99999})^{99999}) = x", "expected a smaller power of a number", id="tower"),
     ],
 )  # fmt: skip
-def test_hostile_input(formula: bytes, message: str, tmp_path: Path) -> None:
-    done = run("-", stdin=formula, cwd=tmp_path)
-    assert (done.returncode, done.stdout) == (2, b"")
-    assert done.stderr.decode().startswith(message)
-    assert b"\x1b" not in done.stderr
+def test_hostile_input(
+    formula: bytes,
+    message: str,
+    typed: Callable[[bytes], None],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    typed(formula)
+    status, out, err = check(capsys, "-")
+    assert (status, out) == (2, "")
+    assert err.startswith(message)
+    assert "\x1b" not in err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_million_characters_through_a_pipe() -> None:
+    """A process of its own is stopped by no limit but ours."""
+    done = run("-", stdin=b"x+" * 500_000)
+    assert (done.returncode, done.stdout) == (2, b"")
+    assert done.stderr.decode().startswith("expected at most 10000 characters, found 1000000")
 
 
 def test_bytes_that_are_no_text_in_an_argument() -> None:
@@ -193,23 +221,31 @@ def test_engines_that_disagree_end_with_status_4(
         pytest.param({"TERM": "dumb"}, False, id="dumb"),
     ],
 )
-def test_colour_on_a_terminal(env: dict[str, str], coloured: bool) -> None:
+def test_colour_on_a_terminal(
+    env: dict[str, str], coloured: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("NO_COLOR", "TERM"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in env.items():
+        monkeypatch.setenv(name, value)
     ours, theirs = pty.openpty()
-    clean = {name: value for name, value in os.environ.items() if name not in {"NO_COLOR", "TERM"}}
-    subprocess.run(
-        [*COMMAND, "a = a"], stdout=theirs, env={**clean, **env}, timeout=120, check=True
-    )
-    os.close(theirs)
+    with os.fdopen(theirs, "w") as terminal:
+        monkeypatch.setattr("sys.stdout", terminal)
+        assert cli.main(["check", "a = a"]) == 0
     shown = os.read(ours, 10_000).decode()
     os.close(ours)
     verdict = "\x1b[32mVERIFIED\x1b[0m" if coloured else "VERIFIED"
     assert shown.splitlines()[0] == f"{verdict}  a = a"
 
 
-def test_a_pipe_gets_no_colour_and_its_width() -> None:
-    done = run("a + b + c + d + e_1 + f + g + h = 1", TERM="xterm", COLUMNS="40")
-    assert b"\x1b" not in done.stdout
-    lines = done.stdout.decode().splitlines()
+def test_a_pipe_gets_no_colour_and_its_width(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "40")
+    _, out, _ = check(capsys, "a + b + c + d + e_1 + f + g + h = 1")
+    assert "\x1b" not in out
+    lines = out.splitlines()
     assert lines[:2] == ["ERRATUM  a + b + c + d + e_1 + f + g + h", "    = 1"]
     assert max(map(len, lines)) <= 40
 

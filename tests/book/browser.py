@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -14,7 +14,7 @@ from typing import Any
 from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Page
 
-PHONE, DESK = 360, 1280
+PHONE, PAPER, DESK = 360, 794, 1280  # paper: A4 at 96 dots an inch
 USUAL = ("[PST]", "[togglebutton]")  # what the theme tells the console on every page
 
 _LOOK = """() => {
@@ -28,13 +28,15 @@ _LOOK = """() => {
   };
 }"""
 # axe takes minutes for a chapter. Shapes of letters and lines have no text of their own; of cards
-# and rows that look alike, the first ones stand for the rest.
+# and rows that look alike (entries of a matrix, too), the first ones stand for the rest;
+# dark mode is about colours alone, and one of a kind has them all.
 _PLAIN = """(mode) => {
   const seen = {};
-  for (const e of document.querySelectorAll(".claims > *, table tbody > tr")) {
+  for (const e of document.querySelectorAll(".claims > *, .claim .claim, table tbody > tr")) {
+    if (!e.isConnected) continue;
     const kind = `${e.parentElement.parentElement.className} ${e.className}`;
     seen[kind] = (seen[kind] || 0) + 1;
-    if (seen[kind] > 8) e.remove();
+    if (seen[kind] > (mode === "dark" ? 1 : 4)) e.remove();
   }
   for (const e of document.querySelectorAll(".math, figure.drawn svg")) e.replaceChildren();
   const still = document.createElement("style");
@@ -59,6 +61,11 @@ class _Silent(SimpleHTTPRequestHandler):
     def log_message(self, format: str, *args: Any) -> None:  # noqa: A002 - named by the base class
         """Say nothing: every request would be a line in the tests' output."""
 
+    def copyfile(self, source: Any, outputfile: Any) -> None:
+        """Send a file; a page that was closed meanwhile is no fault."""
+        with suppress(ConnectionError):
+            super().copyfile(source, outputfile)
+
 
 @contextmanager
 def served(folder: Path) -> Iterator[str]:
@@ -73,6 +80,17 @@ def served(folder: Path) -> Iterator[str]:
 def names(report: Path) -> list[str]:
     """Return the files of all pages of a report."""
     return sorted(path.name for path in report.glob("*.html"))
+
+
+def leave_formulas(page: Page) -> None:
+    """Give the page an empty script for MathJax: where formulas are not looked at, save seconds."""
+    page.route("**/mathjax/*", lambda route: route.fulfill(content_type="text/javascript", body=""))
+
+
+def width(page: Page, screen: int) -> int:
+    """Return how wide an open page is on a screen of this width."""
+    page.set_viewport_size({"width": screen, "height": 800})
+    return int(page.evaluate("() => document.documentElement.scrollWidth"))
 
 
 def visit(page: Page, address: str) -> None:

@@ -8,8 +8,20 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import DESK, PHONE, Sight, barriers, look, names, served, visit
-from playwright.sync_api import Browser, Page
+from browser import (
+    DESK,
+    PAPER,
+    PHONE,
+    Sight,
+    barriers,
+    leave_formulas,
+    look,
+    names,
+    served,
+    visit,
+    width,
+)
+from playwright.sync_api import Browser, BrowserContext, Page
 from small_report import ROOT
 
 CONTENTS = (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
@@ -17,6 +29,7 @@ CONTENTS = (ROOT / "book" / "_toc.yml").read_text(encoding="utf-8")
 CHAPTERS = re.findall(r"(?:root|file): (\S+)", CONTENTS)
 PAGES = sorted(f"{name}.html" for name in (*CHAPTERS, "genindex", "search"))
 FULL_OF_FORMULAS = "omni-arrangement.html"
+PRINTED = ("index.html", FULL_OF_FORMULAS)
 
 
 @pytest.fixture(params=["http", "file"])
@@ -29,21 +42,41 @@ def root(request: pytest.FixtureRequest, report: Path) -> Iterator[str]:
             yield address
 
 
+@pytest.fixture(scope="module")
+def address(report: Path) -> Iterator[str]:
+    with served(report) as address:
+        yield address
+
+
+@pytest.fixture(scope="module")
+def desk(chromium: Browser) -> Iterator[BrowserContext]:
+    """Give a browser whose pages share a cache."""
+    context = chromium.new_context(viewport={"width": DESK, "height": 800})
+    yield context
+    context.close()
+
+
 @pytest.fixture(scope="module", params=PAGES)
-def on_desk(
+def from_disk(
     request: pytest.FixtureRequest, chromium: Browser, report: Path
 ) -> Iterator[tuple[Page, Sight]]:
-    """Give a page of the report over http, opened once, and what is to be seen of it."""
-    page = chromium.new_page(viewport={"width": DESK, "height": 800})
-    with served(report) as address:
-        yield page, look(page, address, request.param)
+    """Give a page, opened once, from disk on a phone, and what was to be seen of it there.
+
+    Setting the formulas takes most of the time; the tests below then change the screen.
+    """
+    page = chromium.new_page(viewport={"width": PHONE, "height": 800})
+    yield page, look(page, f"{report.as_uri()}/", request.param)
     page.close()
 
 
-def check(seen: Sight, width: int, name: str) -> None:
+def file_of(page: Page) -> str:
+    return page.url.rpartition("/")[2]
+
+
+def check(seen: Sight, screen: int, name: str) -> None:
     """No message, no failed or outside request, every formula set, nothing beyond the screen."""
     assert (seen.said, seen.errors, seen.bare) == ([], [], [])
-    assert seen.width <= width
+    assert seen.width <= screen
     assert seen.formulas > 20 or name != FULL_OF_FORMULAS
 
 
@@ -51,23 +84,51 @@ def test_every_page_is_looked_at(report: Path) -> None:
     assert names(report) == PAGES
 
 
-def test_page_on_a_desk(on_desk: tuple[Page, Sight]) -> None:
-    page, seen = on_desk
-    check(seen, DESK, page.url.rpartition("/")[2])
-
-
-def test_page_has_no_barrier(on_desk: tuple[Page, Sight]) -> None:
-    """axe-core finds nothing serious: contrast, names, roles, what the keyboard reaches."""
-    page, _ = on_desk
-    assert [fault for mode in ("light", "dark") for fault in barriers(page, mode)] == []
-
-
 @pytest.mark.parametrize("name", PAGES)
-def test_page_on_a_phone_from_disk(chromium: Browser, report: Path, name: str) -> None:
-    page = chromium.new_page(viewport={"width": PHONE, "height": 800})
-    seen = look(page, f"{report.as_uri()}/", name)
+def test_page_over_http(desk: BrowserContext, address: str, name: str) -> None:
+    """No message, no failed or outside request; one page sets its formulas here, too."""
+    page = desk.new_page()
+    if name != FULL_OF_FORMULAS:
+        leave_formulas(page)
+    seen = look(page, address, name)
     page.close()
-    check(seen, PHONE, name)
+    assert seen.said == []
+    if name == FULL_OF_FORMULAS:
+        check(seen, DESK, name)
+
+
+def test_page_on_a_phone(from_disk: tuple[Page, Sight]) -> None:
+    page, seen = from_disk
+    check(seen, PHONE, file_of(page))
+
+
+def test_page_in_print(from_disk: tuple[Page, Sight]) -> None:
+    """On paper there is no navigation, all that was folded is open, and nothing is cut off."""
+    page, _ = from_disk
+    page.emulate_media(media="print")
+    page.evaluate("() => window.dispatchEvent(new Event('beforeprint'))")
+    assert page.locator("article details:not([open])").count() == 0
+    assert not page.locator(".bd-sidebar-primary").is_visible()
+    assert width(page, PAPER) <= PAPER
+    page.evaluate("() => window.dispatchEvent(new Event('afterprint'))")
+    assert file_of(page) not in PRINTED or page.pdf().startswith(b"%PDF")
+    page.emulate_media(media="screen")
+
+
+def test_page_on_a_desk(from_disk: tuple[Page, Sight]) -> None:
+    page, seen = from_disk
+    assert width(page, DESK) <= DESK
+    assert seen.said == []  # in print and here, too
+
+
+def test_page_has_no_barrier(from_disk: tuple[Page, Sight]) -> None:
+    """axe-core finds nothing serious: contrast, names, roles, what the keyboard reaches.
+
+    The last test of a page: it takes most of its cards away.
+    """
+    page, _ = from_disk
+    page.set_viewport_size({"width": DESK, "height": 800})
+    assert [fault for mode in ("light", "dark") for fault in barriers(page, mode)] == []
 
 
 def test_the_tests_see_what_is_wrong(page: Page, small: Path, tmp_path: Path) -> None:
@@ -120,17 +181,3 @@ def test_dark_mode_is_a_button(page: Page, report: Path) -> None:
     assert {mode for mode, _, _ in seen} == {"light", "dark"}
     for mode, ground, words in seen:
         assert (ground < words) == (mode == "dark")
-
-
-@pytest.mark.parametrize("name", ["index.html", "omni-arrangement.html"])
-def test_print(page: Page, report: Path, name: str) -> None:
-    """On paper there is no navigation, all that was folded is open, and nothing is cut off."""
-    visit(page, f"{report.as_uri()}/{name}")
-    page.emulate_media(media="print")
-    page.set_viewport_size({"width": 794, "height": 1123})  # A4 at 96 dots an inch
-    page.evaluate("() => window.dispatchEvent(new Event('beforeprint'))")
-    assert page.locator("article details:not([open])").count() == 0
-    assert not page.locator(".bd-sidebar-primary").is_visible()
-    assert page.evaluate("() => document.documentElement.scrollWidth") <= 794
-    page.evaluate("() => window.dispatchEvent(new Event('afterprint'))")
-    assert page.pdf().startswith(b"%PDF")

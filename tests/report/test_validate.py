@@ -14,24 +14,32 @@ from omniproof.report.fragments import Chapter, Overview
 from omniproof.report.validate import InvalidBookError, Page, validate_book
 
 CHAPTER = "omni-arrangement.html"
+RESULTS = Path(__file__).parent / "fixtures" / "results"
 
 
-@pytest.fixture
-def html(tmp_path: Path, chapter: Chapter, overview: Overview, results: Path) -> Path:
-    """Pages without a theme, made of the fragments themselves."""
+@pytest.fixture(scope="module")
+def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Pages without a theme, made of the fragments themselves; every test breaks its own copy."""
+    folder = tmp_path_factory.mktemp("sound")
+    chapter, overview = Chapter.open("omni-arrangement", RESULTS), Overview.open(RESULTS)
     pages = {
         CHAPTER: [chapter.counts(), chapter.figure(5), chapter.table("tab:2["), chapter.rest()],
         "index.html": [overview.counts(), overview.headlines({"omni-arrangement eq:6[1,2]": "x"})],
     }
     for name, fragments in pages.items():
         body = "".join(fragment.html for fragment in fragments)
-        (tmp_path / name).write_text(f"<title>x</title><main>{body}</main>", encoding="utf-8")
-    shutil.copytree(results / "figures", tmp_path / "figures")
-    write_code(tmp_path)
-    (tmp_path / "corrigenda").mkdir()
+        (folder / name).write_text(f"<title>x</title><main>{body}</main>", encoding="utf-8")
+    shutil.copytree(RESULTS / "figures", folder / "figures")
+    write_code(folder)
+    (folder / "corrigenda").mkdir()
     for name in ("ledger.csv", "corrigenda/omni-arrangement.pdf"):
-        (tmp_path / name).write_bytes(b"")
-    return tmp_path
+        (folder / name).write_bytes(b"")
+    return folder
+
+
+@pytest.fixture
+def html(sound: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(sound, tmp_path, dirs_exist_ok=True))
 
 
 def replaced(page: str, old: str, new: str) -> Callable[[Path], None]:
