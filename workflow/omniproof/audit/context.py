@@ -27,7 +27,7 @@ from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, Name, Node, names
 
 
-@dataclass
+@dataclass(eq=False)  # one and the same, or another: so it can be the key of a cache
 class Context:
     """One paper under audit; `choices` are the readings of its conventions, once chosen.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import Any
@@ -79,18 +79,6 @@ def equal(printed: Any, derived: Any, domain: Domain = REALS) -> bool:
 
 def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:
     """Prepare the quick look; there is none at what balls cannot evaluate."""
-
-    # One edit is looked for before two are: the same edits are read for both.
-    @cache
-    def read(text: str) -> Node:
-        return read_with(text, context.loaded.paper.notation, context.names)
-
-    def meaning(node: Symbolic) -> Values:
-        try:
-            return at_points_once(evaluate(node, context.meanings_at(claim, node)))
-        except (UnsupportedError, AttributeError, LatexError):
-            raise KeyError(node.name) from None
-
     try:
         values = at_points(target)
     except UnsupportedError:
@@ -98,7 +86,31 @@ def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:
     symbols = context.loaded.paper.symbols
     relatives = (symbol.latex for symbol in symbols if symbol.role is Role.QUANTITY)
     known = (symbol.latex for symbol in symbols)
-    return QuickLook(read, meaning, values, tuple(relatives), tuple(known))
+    return QuickLook(*_reading(claim, context), values, tuple(relatives), tuple(known))
+
+
+@lru_cache(maxsize=1)
+def _reading(
+    claim: str, context: Context
+) -> tuple[Callable[[str], Node], Callable[[Symbolic], Values]]:
+    """Return what reads an edited text of a claim, and what evaluates a symbol in it.
+
+    Both remember: one edit is looked for before two are, in every wrong entry of a matrix, and the
+    same edits with the same symbols come up each time.
+    """
+
+    @cache
+    def read(text: str) -> Node:
+        return read_with(text, context.loaded.paper.notation, context.names)
+
+    @cache
+    def meaning(node: Symbolic) -> Values:
+        try:
+            return at_points_once(evaluate(node, context.meanings_at(claim, node)))
+        except (UnsupportedError, AttributeError, LatexError):
+            raise KeyError(node.name) from None
+
+    return read, meaning
 
 
 def _mended(found: Iterable[Repair], grade: Grade, context: Context) -> Mended:

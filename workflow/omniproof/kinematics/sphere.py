@@ -18,10 +18,11 @@ Azimuth from x towards y, elevation from the xy-plane towards z.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
 from typing import TypeAlias
 
-from sympy import Dummy, Expr, ImmutableMatrix, MatrixBase, cos, sin, zeros
+from sympy import Add, Dummy, Expr, ImmutableMatrix, MatrixBase, cos, sin, zeros
 
 from omniproof.kinematics import rolling
 from omniproof.kinematics.frames import UNIT
@@ -65,10 +66,7 @@ def surface_map(contact: Vector) -> ImmutableMatrix:
 
     Row k is the rolling constraint along the k-th coordinate. S is skew, and its kernel is p.
     """
-    spin = tuple(Dummy(f"w_{axis}") for axis in UNIT)
-    turning = rolling.Twist(zeros(3, 1), ImmutableMatrix(spin))
-    speeds = [rolling.rolling_speed(unit, contact, turning) for unit in UNIT.values()]
-    return ImmutableMatrix(speeds).jacobian(spin)
+    return _surface_map(ImmutableMatrix(contact), rolling.rolling_speed)
 
 
 def constraint_line(
@@ -113,13 +111,13 @@ def least_squares_spin(
     one line through the centre. Errors of `normal_matrix` and `right_side` too.
     """
     feet = right_side(contacts, axes, speeds, radius)
-    return ImmutableMatrix(_inverse(normal_matrix(contacts)) * feet)
+    return _product(_inverse(normal_matrix(contacts)), feet)
 
 
 def spin_map(contacts: Sequence[Vector], axes: Sequence[Vector], radius: Scalar) -> ImmutableMatrix:
     """Matrix from N rim speeds (m/s) to `least_squares_spin` (rad/s): 3xN. Errors as there."""
     feet = _feet(contacts, axes, [1] * len(axes), radius)
-    return ImmutableMatrix(_inverse(normal_matrix(contacts)) * ImmutableMatrix.hstack(*feet))
+    return _product(_inverse(normal_matrix(contacts)), ImmutableMatrix.hstack(*feet))
 
 
 def slip_velocity(
@@ -151,6 +149,15 @@ def squared_distances(
     return tuple(slip.dot(slip) for slip in slips)
 
 
+@lru_cache(maxsize=64)
+def _surface_map(contact: ImmutableMatrix, law: Callable[..., Expr]) -> ImmutableMatrix:
+    """Surface map under a law of rolling: matrix, feet and slips ask for the same few contacts."""
+    spin = tuple(Dummy(f"w_{axis}") for axis in UNIT)
+    turning = rolling.Twist(zeros(3, 1), ImmutableMatrix(spin))
+    speeds = [law(unit, contact, turning) for unit in UNIT.values()]
+    return ImmutableMatrix(speeds).jacobian(spin)
+
+
 def _feet(
     contacts: Sequence[Vector], axes: Sequence[Vector], speeds: Sequence[Scalar], radius: Scalar
 ) -> list[ImmutableMatrix]:
@@ -171,6 +178,15 @@ def _inverse(matrix: ImmutableMatrix) -> ImmutableMatrix:
     if vanishes(determinant):
         raise ValueError("the contacts lie on one line through the centre: spin about it is free")
     return ImmutableMatrix(matrix.adjugate(method="berkowitz") / determinant)
+
+
+def _product(left: MatrixBase, right: MatrixBase) -> ImmutableMatrix:
+    """Product of matrices of finite entries: before 0 x, SymPy proves x finite, however long."""
+    return ImmutableMatrix(
+        left.rows,
+        right.cols,
+        lambda i, j: Add(*(left[i, k] * right[k, j] for k in range(left.cols) if right[k, j] != 0)),
+    )
 
 
 def _rollers(

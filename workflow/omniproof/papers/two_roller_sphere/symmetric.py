@@ -8,21 +8,25 @@ the vertical follow from three linear equations.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 
 from sympy import (
     Expr,
     ImmutableMatrix,
     Integer,
+    Symbol,
     cancel,
     cos,
-    linsolve,
+    linear_eq_to_matrix,
     pi,
     rad,
     sin,
     sqrt,
     symbols,
 )
+from sympy.polys.constructor import construct_domain
+from sympy.polys.matrices import DomainMatrix
 
 from omniproof.kinematics import frames, sphere
 from omniproof.papers.two_roller_sphere.arrangement import (
@@ -62,8 +66,21 @@ def solution() -> tuple[Expr, Expr, Expr]:
     first, second, vertical = unknown = symbols("nu_1 nu_2 omega_z", real=True)
     allowed = frame() * spin_of(rollers(first, second))
     rolled = travelling(vertical).rotation
-    ((*solved,),) = linsolve(list(allowed - rolled), unknown)
-    return tuple(_by_direction(value) for value in solved)
+    return tuple(_by_direction(value) for value in _solved(list(allowed - rolled), unknown))
+
+
+def _solved(zeros: Sequence[Expr], unknown: Sequence[Symbol]) -> list[Expr]:
+    """Solve linear equations for as many unknowns, sines and cosines taken as independent.
+
+    SymPy's `linsolve` expects relations between a sine and its cosine, so it cancels expressions
+    after each step: of an altered mechanics that takes a hundred times as long.
+    """
+    count = len(unknown)
+    left, right = linear_eq_to_matrix(zeros, unknown)
+    field, entries = construct_domain([*left, *right], field=True, composite=True)
+    matrix = DomainMatrix.from_list_flat(entries[: count**2], (count, count), field)
+    column = DomainMatrix.from_list_flat(entries[count**2 :], (count, 1), field)
+    return list(matrix.lu_solve(column).to_Matrix())
 
 
 def _by_direction(value: Expr) -> Expr:
