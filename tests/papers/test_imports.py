@@ -27,6 +27,7 @@ SOME_NAMES = {
         "ballbot", "frames", "omni", "rolling", "sphere", "trajectory", "zonotope"
     },
     "omniproof.transcription.model": {"Form"},
+    "sympy.polys.matrices": {"DomainMatrix"},
 }  # fmt: skip
 
 

@@ -17,6 +17,7 @@ from sympy import (
     Integer,
     Symbol,
     cancel,
+    construct_domain,
     cos,
     linear_eq_to_matrix,
     pi,
@@ -25,7 +26,6 @@ from sympy import (
     sqrt,
     symbols,
 )
-from sympy.polys.constructor import construct_domain
 from sympy.polys.matrices import DomainMatrix
 
 from omniproof.kinematics import frames, sphere
