@@ -34,7 +34,7 @@ from omniproof.audit.modular_parts import (
     root_level,
     sign_of_constant,
 )
-from omniproof.audit.prime_field import BITS, PrimeField, prime_field
+from omniproof.decide.prime_fields.field import BITS, PrimeField, prime_field
 
 WANTED = 1e-30
 ATTEMPTS = 256

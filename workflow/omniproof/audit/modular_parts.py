@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 import sympy as sp
 
-from omniproof.audit.prime_field import prime_factors
+from omniproof.decide.prime_fields.field import prime_factors
 
 CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I, sp.Float)

@@ -1,0 +1,137 @@
+"""A random place of a prime field: values of letters and units there, and of every term."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+from functools import reduce
+from math import prod
+from random import Random
+
+from omniproof.decide.prime_fields.field import PrimeField, prime_field
+from omniproof.formula.monomials import Monomial
+from omniproof.decide.prime_fields.parts import CIRCULAR, Parts, radicand_primes
+from omniproof.formula.term import Call, Number, Power, Product, Sum, Symbol, Term, rational
+
+
+class NoRootError(ValueError):
+    """A radicand has no square root in the field."""
+
+
+class Place:
+    """A prime field and random values of letters and units there."""
+
+    def __init__(self, parts: Parts, attempt: int) -> None:
+        self.parts = parts
+        self.field: PrimeField = prime_field(parts.order, attempt)
+        self.prime = self.field.prime
+        random = Random(f"point {attempt} of {self.prime}")  # noqa: S311 - reproducible
+        self.known: dict[Term, int] = {
+            letter: random.randrange(1, self.prime) for letter in parts.letters
+        }
+        self.units: dict[Monomial, int] = {
+            atom: random.randrange(1, self.prime)
+            for atom in parts.denominators
+            if atom not in parts.turned
+        }
+        self.square_roots: dict[int, int] = {}
+        self.signs: Mapping[Call, int] = {}
+        self.same: Mapping[Call, Call] = {}
+        self.memo: dict[Term, int] = {}
+
+    def choose(self, signs: Mapping[Call, int], same: Mapping[Call, Call]) -> None:
+        """Choose the signs of roots and absolute values; `same` gives the one to look at."""
+        self.signs, self.same, self.memo = signs, same, dict(self.known)
+
+    def point(self) -> dict[str, int]:
+        """Name the values of symbols, for a reader who wants to see the place."""
+        return {item.name: value for item, value in self.known.items() if isinstance(item, Symbol)}
+
+    def value(self, term: Term) -> int:
+        """Evaluate; raises `ZeroDivisionError` and `NoRootError`."""
+        found = self.memo.get(term)
+        if found is None:
+            found = self.memo[term] = self._compute(term) % self.prime
+        return found
+
+    def _compute(self, term: Term) -> int:
+        match term:
+            case Number(value=value):
+                return self._number(value)
+            case Sum(terms=parts):
+                return sum(map(self.value, parts))
+            case Product(factors=parts):
+                return reduce(lambda a, b: a * b % self.prime, map(self.value, parts), 1)
+            case Power(base=base, exponent=exponent):
+                return self._power(self.value(base), exponent)
+            case Call(function=function, arguments=(argument,)) if function in CIRCULAR:
+                return self._circular(function, argument)
+            case Call(function="sign", arguments=(argument,)):
+                size = self.value(Call("abs", (argument,)))
+                return size * self.field.inverse(self.value(argument))
+            case Call() if self.same.get(term, term) is not term:
+                return self.value(self.same[term])
+            case Call(function="sqrt", arguments=(radicand,)):
+                return self._root(term, radicand)
+            case Call(function="abs", arguments=(argument,)):
+                return self.signs[term] * self.value(argument)
+        raise AssertionError(f"{term} was not collected")
+
+    def _number(self, value: Fraction) -> int:
+        below = value.denominator
+        return value.numerator * (1 if below == 1 else self.field.inverse(below))
+
+    def _power(self, base: int, exponent: int) -> int:
+        return pow(base if exponent >= 0 else self.field.inverse(base), abs(exponent), self.prime)
+
+    def _circular(self, function: str, argument: Term) -> int:
+        z = self._turned(argument)
+        back = self.field.inverse(z)
+        twice_cosine, twice_sine = z + back, (z - back) * self.field.unit(-1, 2)
+        above, below = {
+            "cos": (twice_cosine, 2),
+            "sin": (twice_sine, 2),
+            "tan": (twice_sine, twice_cosine),
+            "cot": (twice_cosine, twice_sine),
+            "sec": (2, twice_cosine),
+            "csc": (2, twice_sine),
+        }[function]
+        return above * self.field.inverse(below)
+
+    def _turned(self, argument: Term) -> int:
+        """Return e^(i argument)."""
+        angle = self.parts.angles[argument]
+        z = self.field.unit(angle.turns.numerator, angle.turns.denominator)
+        for atom, ratio in angle.multiples.items():
+            steps = int(ratio * self.parts.denominators[atom])
+            z = z * self._power(self._unit(atom), steps) % self.prime
+        return z
+
+    def _unit(self, atom: Monomial) -> int:
+        """Return e^(i atom/denominator)."""
+        if atom in self.units:
+            return self.units[atom]
+        if self.parts.denominators[atom] != 1:
+            raise NoRootError  # the half of an inverse function
+        cosine, sine = map(self.value, self.parts.turned[atom])
+        return (cosine + sine * self.field.unit(1, 2)) % self.prime
+
+    def _root(self, term: Call, radicand: Term) -> int:
+        number = rational(radicand)
+        if number is not None:
+            return self._root_of_rational(number)
+        square = self.value(radicand)
+        if square not in self.square_roots:
+            found = self.field.square_root(square)
+            if found is None:
+                raise NoRootError
+            self.square_roots[square] = found
+        return self.signs[term] * self.square_roots[square]
+
+    def _root_of_rational(self, number: Fraction) -> int:
+        if number == 0:
+            return 0
+        return prod(
+            self._power(self.field.root_of_prime(prime), exponent)
+            for prime, exponent in radicand_primes(number).items()
+        )

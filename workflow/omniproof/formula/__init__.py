@@ -1,0 +1,1 @@
+"""The language of formulas: a printed line as a term that nothing has simplified."""
