@@ -9,13 +9,16 @@ import pytest
 from identity_table import BRANCH, ROWS, Row, x
 from sympy import Abs, Integer, StrictGreaterThan, cos, pi, sin
 
-from omniproof.audit import balls, confirm, modular, smt, zero_test
+from omniproof.audit import balls, confirm, smt, zero_test
 from omniproof.audit.answer import Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.modular import Mixed, NonZero, Zero, vanishes_modulo
-from omniproof.audit.prime_field import PrimeField
 from omniproof.audit.smt import Different, Equal, differ_somewhere
 from omniproof.audit.zero_test import DisagreementError, decide_equal
+from omniproof.decide.prime_fields import place, zero
+from omniproof.decide.prime_fields.field import PrimeField
+from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes
+from omniproof.formula.sympy_terms import positive_names, term_of
+from omniproof.formula.term import subtract
 
 BY_NAME = {row.name: row for row in ROWS}
 WITH_ID = [pytest.param(row, id=row.name) for row in ROWS]
@@ -26,7 +29,10 @@ WORDS: dict[type, str] = {
 }  # fmt: skip
 ENGINES: dict[str, Callable[[Row], object]] = {
     "flint": lambda row: decide_equal(row.left, row.right, row.domain),
-    "modular": lambda row: vanishes_modulo(row.left - row.right),
+    "modular": lambda row: vanishes(
+        subtract(term_of(row.left), term_of(row.right)),
+        positive=positive_names(row.left, row.right),
+    ),
     "z3": lambda row: differ_somewhere(row.left, row.right),
 }
 SIGNS_STAY_OPEN = {
@@ -112,7 +118,7 @@ def test_a_counterexample_outside_of_the_domain_contradicts_nothing() -> None:
 
 
 def test_a_disagreement_shows_both_sides(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(confirm, "vanishes_modulo", lambda *_: NonZero(101, {"x": 7}))
+    monkeypatch.setattr(confirm, "vanishes", lambda *_: NonZero(101, {"x": 7}))
     with pytest.raises(DisagreementError) as caught:
         confirmed_equal(sin(x) ** 2 + cos(x) ** 2, Integer(1))
     assert str(caught.value) == (
@@ -183,12 +189,12 @@ MODULAR = [
     pytest.param(
         PrimeField, "root_of_prime", lambda *_: 3, "heptagon-product", id="root of a prime"
     ),
-    pytest.param(PrimeField, "square_root", lambda _, v: v, "half-sine", id="root of a value"),
+    pytest.param(PrimeField, "square_root", lambda _, v: v, "leg", id="root of a value"),
     pytest.param(PrimeField, "inverse", lambda _, v: v, "pythagoras", id="inverse"),
-    pytest.param(modular._Place, "value", lambda *_: 0, "double-sine-factor", id="all is zero"),
-    pytest.param(modular._Place, "_turned", lambda *_: 2, "sine-of-sum", id="one angle"),
-    pytest.param(modular._Place, "_product", lambda *_: 1, "double-sine", id="products"),
-    pytest.param(modular, "_negative_ratios", other_ratios, "half-sine", id="signs that can be"),
+    pytest.param(place.Place, "value", lambda *_: 0, "double-sine-factor", id="all is zero"),
+    pytest.param(place.Place, "_turned", lambda *_: 2, "sine-of-sum", id="one angle"),
+    pytest.param(place.Place, "_product", lambda *_: 1, "double-sine", id="products"),
+    pytest.param(zero, "_negative_ratios", other_ratios, "abs-product", id="signs that can be"),
 ]
 
 

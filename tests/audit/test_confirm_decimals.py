@@ -12,8 +12,8 @@ from omniproof.audit import balls, confirm_decimals, decimals, enclosure
 from omniproof.audit.answer import Undecided
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import Rounding, format_fraction
-from omniproof.audit.modular import NonZero
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.prime_fields.zero import NonZero
 
 pi, sqrt, cos, sin = sp.pi, sp.sqrt, sp.cos, sp.sin
 MORRIE = cos(pi / 9) * cos(2 * pi / 9) * cos(4 * pi / 9)  # 1/8 exactly
@@ -100,7 +100,7 @@ def test_both_sides_are_shown(monkeypatch):
 
 
 def test_a_tie_that_is_none_is_caught(monkeypatch):
-    monkeypatch.setattr(confirm_decimals, "vanishes_modulo", lambda _: NonZero(101, {}))
+    monkeypatch.setattr(confirm_decimals, "vanishes", lambda _: NonZero(101, {}))
     with pytest.raises(DisagreementError, match=r"^modular contradicts flint on .*: neither is"):
         confirmed_class(MORRIE, "0.12")
 

@@ -17,9 +17,11 @@ from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refu
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import without_integrals
-from omniproof.audit.modular import Mixed, NonZero, Zero, vanishes_modulo
 from omniproof.audit.smt import Different, Equal, differ_somewhere
 from omniproof.audit.zero_test import DisagreementError, decide_equal
+from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes
+from omniproof.formula.sympy_terms import NotATermError, positive_names, term_of
+from omniproof.formula.term import Term, subtract
 
 Vote = bool | None
 """True: the answer is confirmed; False: it is contradicted; None: not decided."""
@@ -62,28 +64,27 @@ def _modular(answer: Answer, printed: Any, derived: Any, domain: Domain) -> Vote
 
     A condition is confirmed when it suffices (zero under it) and something is needed (not without).
     """
-    difference = _difference(printed, derived)
-    match vanishes_modulo(difference), answer:
+    sides = sp.sympify(printed), sp.sympify(derived)
+    positive = positive_names(*sides)
+    try:
+        difference = subtract(*map(term_of, sides))
+    except NotATermError:
+        return None
+    match vanishes(difference, (), positive), answer:
         case (Zero(), Proved()) | (NonZero(), Refuted()):
             return True
         case (Zero(), _) | (NonZero(), _):
             return False
         case Mixed(), OnBranch(relations=relations):
-            return _suffices(difference, relations)
+            return _suffices(difference, relations, positive)
     return None
 
 
-def _difference(printed: Any, derived: Any) -> sp.Expr:
-    """Subtract without evaluation; made anew here, as the first engine's could be what is wrong."""
-    negative = sp.Mul(-1, sp.sympify(derived), evaluate=False)
-    return sp.Add(sp.sympify(printed), negative, evaluate=False)
-
-
-def _suffices(difference: sp.Expr, relations: Sequence[Any]) -> Vote:
+def _suffices(difference: Term, relations: Sequence[Any], positive: frozenset[str]) -> Vote:
     signed = (sp.StrictGreaterThan, sp.GreaterThan)
     if not relations or not all(isinstance(r, signed) and r.rhs == 0 for r in relations):
         return None
-    match vanishes_modulo(difference, [relation.lhs for relation in relations]):
+    match vanishes(difference, [term_of(relation.lhs) for relation in relations], positive):
         case Zero():
             return True
         case NonZero():

@@ -25,9 +25,10 @@ from omniproof.audit.decimals import (
     read_decimal,
 )
 from omniproof.audit.enclosure import enclose
-from omniproof.audit.exact import subtract
-from omniproof.audit.modular import NonZero, Zero, vanishes_modulo
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.prime_fields.zero import NonZero, Zero, vanishes
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import number, subtract
 
 Steps = Fraction
 """A number counted in units of the last printed place."""
@@ -50,7 +51,7 @@ def confirmed_class(value: sp.Expr, printed: str) -> DecimalFinding | Undecided:
         return _agreed(finding, "mpmath", low, value, decimal)
     # What is so close to a multiple of half a unit is one, or the first engine is wrong.
     multiple = Fraction(round(2 * low), 2)
-    match vanishes_modulo(subtract(value, sp.Rational(multiple * decimal.unit))):
+    match vanishes(subtract(term_of(value), number(multiple * decimal.unit))):
         case Zero():
             return _agreed(finding, "modular", multiple, value, decimal)
         case NonZero() if finding.rounding in {Rounding.EXACT, Rounding.TIE}:

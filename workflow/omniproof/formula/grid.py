@@ -154,7 +154,7 @@ def inner(left: tuple[Term, ...], right: tuple[Term, ...]) -> Term:
 
 
 def _product(left: Term, right: Term) -> Term:
-    if left == ONE or right == ONE:
+    if ONE in (left, right):
         return right if left == ONE else left
     return multiply(left, right)
 

@@ -37,6 +37,14 @@ def expand(term: Term) -> Expanded:
     return {frozenset({(term, 1)}): Fraction(1)}
 
 
+def is_plainly_zero(term: Term) -> bool:
+    """Whether a term is 0 as soon as it is multiplied out: `b - b`, `0 x`."""
+    try:
+        return not expand(term)
+    except OutsideError:
+        return False
+
+
 def _power(term: Power, base: Expanded, exponent: int) -> Expanded:
     if not base and exponent < 0:
         raise OutsideError("a denominator is identically zero")

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from functools import reduce
+from functools import lru_cache, reduce
 from operator import mul
 from typing import Any
 
 import sympy as sp
-from sympy.core.function import AppliedUndef
 
 from omniproof.formula.grid import Grid
 from omniproof.formula.statement import Comparison, Logic
@@ -51,21 +50,72 @@ class NotATermError(ValueError):
     """An expression of SymPy that stands for no exact real number; the text says why."""
 
 
+@lru_cache(maxsize=100_000)
+def term_of(node: Any) -> Term:
+    """Return an expression of SymPy as a term; raises `NotATermError`.
+
+    What derivations share is converted once. The memory holds every node of the largest audit.
+    """
+    if node.is_Rational:
+        return Number(Fraction(int(node.p), int(node.q)))
+    if node is sp.pi:
+        return PI
+    if isinstance(node, sp.Symbol) and node.is_commutative:
+        return Symbol(node.name)
+    if node.is_Add or node.is_Mul:
+        return (Sum if node.is_Add else Product)(tuple(map(term_of, node.args)))
+    if node.is_Pow:
+        return _power(node)
+    return _integral(node) if isinstance(node, sp.Integral) else _call(node)
+
+
+def _power(node: Any) -> Term:
+    base, exponent = node.base, node.exp
+    if exponent.is_Integer:
+        return Power(term_of(base), int(exponent))
+    twos = int(exponent.q).bit_length() - 1 if exponent.is_Rational else 0
+    if twos and exponent.q == 1 << twos:
+        term = reduce(lambda inside, _: root(inside), range(twos), term_of(base))
+        return term if exponent.p == 1 else Power(term, int(exponent.p))
+    return Call("power", (term_of(base), term_of(exponent)))
+
+
+def _integral(node: Any) -> Term:
+    inside = term_of(node.function)
+    for variable, *ends in node.limits:
+        if len(ends) != 2:
+            raise NotATermError("an integral has no ends")
+        inside = Integral(inside, Symbol(variable.name), *map(term_of, ends))
+    return inside
+
+
+def _call(node: Any) -> Term:
+    """Name a function; one that no engine knows is as good as any other number."""
+    name = NAMES.get(node.func) or (str(node.func) if node.is_Function else "")
+    if not (name and node.args):
+        raise NotATermError(f"{type(node).__name__} is no exact real number")
+    return Call(name, tuple(map(term_of, node.args)))
+
+
+def positive_names(*expressions: Any) -> frozenset[str]:
+    """Return the names of the symbols that SymPy assumes not to be negative."""
+    found = set().union(*(expression.free_symbols for expression in expressions))
+    return frozenset(symbol.name for symbol in found if symbol.is_nonnegative)
+
+
 class Converter:
-    """Converts to and fro, and remembers: what derivations share is converted once."""
+    """Converts to and fro: a term comes back with the assumptions that its symbols came with."""
 
     def __init__(self) -> None:
-        self._terms: dict[Any, Term] = {}
-        self._expressions: dict[Term, Any] = {}
+        self._given: dict[Term, Any] = {}
+        self._symbols: dict[str, Any] = {}
 
     def term(self, expression: Any) -> Term:
         """Return an expression of SymPy as a term; raises `NotATermError`."""
         node = sp.sympify(expression)
-        if node not in self._terms:
-            term = self._terms[node] = self._convert(node)
-            if self._expressions.setdefault(term, node) != node and isinstance(term, Symbol):
-                raise NotATermError(f"`{term.name}` is assumed to be two things")
-        return self._terms[node]
+        term = term_of(node)
+        self._given.setdefault(term, node)
+        return term
 
     def value(self, expression: Any) -> Any:
         """Return an expression or a matrix as a term or a grid; raises `NotATermError`."""
@@ -73,44 +123,11 @@ class Converter:
             return Grid(tuple(tuple(map(self.term, row)) for row in expression.tolist()))
         return self.term(expression)
 
-    def _convert(self, node: Any) -> Term:
-        if node.is_Rational:
-            return Number(Fraction(int(node.p), int(node.q)))
-        if node is sp.pi:
-            return PI
-        if isinstance(node, sp.Symbol) and node.is_commutative:
-            return Symbol(node.name)
-        if node.is_Add or node.is_Mul:
-            return (Sum if node.is_Add else Product)(tuple(map(self.term, node.args)))
-        if node.is_Pow:
-            return self._power(node)
-        if isinstance(node, sp.Integral):
-            return self._integral(node)
-        return self._call(node)
-
-    def _power(self, node: Any) -> Term:
-        base, exponent = node.base, node.exp
-        if exponent.is_Integer:
-            return Power(self.term(base), int(exponent))
-        twos = int(exponent.q).bit_length() - 1 if exponent.is_Rational else 0
-        if twos and exponent.q == 1 << twos:
-            term = reduce(lambda inside, _: root(inside), range(twos), self.term(base))
-            return term if exponent.p == 1 else Power(term, int(exponent.p))
-        return Call("power", (self.term(base), self.term(exponent)))
-
-    def _integral(self, node: Any) -> Term:
-        inside = self.term(node.function)
-        for variable, *ends in node.limits:
-            if len(ends) != 2:
-                raise NotATermError("an integral has no ends")
-            inside = Integral(inside, Symbol(variable.name), *map(self.term, ends))
-        return inside
-
-    def _call(self, node: Any) -> Term:
-        name = NAMES.get(node.func) or (str(node.func) if isinstance(node, AppliedUndef) else "")
-        if not (name and node.args):
-            raise NotATermError(f"{type(node).__name__} is no exact real number")
-        return Call(name, tuple(map(self.term, node.args)))
+    def _symbol(self, name: str) -> Any:
+        if name not in self._symbols:
+            known = set().union(*(node.free_symbols for node in self._given.values()))
+            self._symbols = {symbol.name: symbol for symbol in known}
+        return self._symbols.get(name, sp.Symbol(name, real=True))
 
     def expression(self, value: Value) -> Any:
         """Return a value in SymPy, which simplifies on the way what it can.
@@ -120,9 +137,9 @@ class Converter:
         """
         match value:
             case Term():
-                if value not in self._expressions:
-                    self._expressions[value] = self._built(value)
-                return self._expressions[value]
+                if value not in self._given:
+                    self._given[value] = self._built(value)
+                return self._given[value]
             case Grid(rows=rows):
                 return sp.ImmutableMatrix([list(map(self.expression, row)) for row in rows])
             case Comparison(left=left, operator=operator, right=right):
@@ -136,22 +153,19 @@ class Converter:
         raise AssertionError(value)
 
     def _built(self, term: Term) -> Any:
+        if isinstance(term, Symbol):
+            return self._symbol(term.name)
         parts = tuple(map(self.expression, term.parts))
-        match term:
-            case Number(value=number):
-                return sp.Rational(number.numerator, number.denominator)
-            case Pi():
-                return sp.pi
-            case Symbol(name=name):
-                return sp.Symbol(name, real=True)
-            case Sum():
-                return sp.Add(*parts)
-            case Product():
-                return reduce(mul, parts)
-            case Power(exponent=exponent):
-                return parts[0] ** exponent
-            case Integral(variable=variable):
-                return sp.Integral(parts[0], (self.expression(variable), *parts[1:]))
-            case Call(function=function):
-                return FUNCTIONS.get(function, sp.Function(function))(*parts)
-        raise AssertionError(term)
+        if isinstance(term, Integral):
+            return sp.Integral(parts[0], (self.expression(term.variable), *parts[1:]))
+        return _BUILT[type(term)](term, *parts)
+
+
+_BUILT: dict[type[Term], Callable[..., Any]] = {
+    Number: lambda term: sp.Rational(term.value.numerator, term.value.denominator),
+    Pi: lambda term: sp.pi,
+    Sum: lambda term, *parts: sp.Add(*parts),
+    Product: lambda term, *parts: reduce(mul, parts),
+    Power: lambda term, base: base**term.exponent,
+    Call: lambda term, *parts: FUNCTIONS.get(term.function, sp.Function(term.function))(*parts),
+}

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
+from math import prod
 from typing import Any
 
 
@@ -256,19 +257,16 @@ def rational(term: Term) -> Fraction | None:
 
     None, too, where it divides by zero.
     """
+    if isinstance(term, Number):
+        return term.value
+    values = [value for part in term.parts if (value := rational(part)) is not None]
+    if not values or len(values) != len(term.parts):
+        return None
     match term:
-        case Number(value=value):
-            return value
-        case Sum(terms=parts) | Product(factors=parts):
-            values = [rational(part) for part in parts]
-            if None in values:
-                return None
-            total = Fraction(isinstance(term, Product))
-            for value in values:
-                assert value is not None
-                total = total * value if isinstance(term, Product) else total + value
-            return total
-        case Power(base=base, exponent=exponent):
-            value = rational(base)
-            return None if value is None or (value == 0 and exponent < 0) else value**exponent
+        case Sum():
+            return sum(values, Fraction(0))
+        case Product():
+            return prod(values, start=Fraction(1))
+        case Power(exponent=exponent) if values[0] or exponent >= 0:
+            return Fraction(values[0] ** exponent)
     return None

@@ -17,9 +17,9 @@ from types import FunctionType
 from typing import Any, NoReturn, TypeAlias
 
 from omniproof.formula.grid import LARGEST_DETERMINANT, Grid, ShapeError, cross, inner
+from omniproof.formula.monomials import is_plainly_zero
 from omniproof.formula.statement import Comparison, Logic, Statement
 from omniproof.formula.term import (
-    ONE,
     PI,
     Call,
     Integral,
@@ -236,7 +236,7 @@ def _cross(scope: _Scope, node: tree.Cross) -> Value:
 
 def _quotient(scope: _Scope, node: tree.Quotient) -> Value:
     above, below = scope.value(node.numerator), scope.number(node.denominator)
-    if rational(below) == 0:
+    if is_plainly_zero(below):
         scope.refuse(node.denominator, "cannot divide by 0")
     if isinstance(above, Term):
         return divide(above, below)
@@ -263,9 +263,9 @@ def _negative(scope: _Scope, node: tree.Negative) -> Value:
 def _power(scope: _Scope, node: tree.Power) -> Value:
     base, exponent = scope.value(node.base), node.exponent
     if isinstance(base, Term):
-        value = rational(base)
-        if value == 0 and exponent < 0:
+        if exponent < 0 and is_plainly_zero(base):
             scope.refuse(node, "cannot divide by 0")
+        value = rational(base)
         if value is not None:
             bits = max(abs(value.numerator), value.denominator).bit_length()
             if bits * abs(exponent) > MAX_BITS:

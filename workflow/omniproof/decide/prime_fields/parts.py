@@ -27,7 +27,6 @@ from omniproof.formula.term import (
     Sum,
     Symbol,
     Term,
-    add,
     divide,
     negative,
     rational,
@@ -54,8 +53,8 @@ class Parts:
     """Everything that needs a value, inner roots before outer ones."""
 
     letters: dict[Term, None] = field(default_factory=dict)
-    unknown: dict[object, None] = field(default_factory=dict)
-    """Letters and atoms that may have relations of their own."""
+    unknown: set[str] = field(default_factory=set)
+    """What has relations that the test knows nothing of, in words."""
     angles: dict[Term, Angle] = field(default_factory=dict)
     denominators: dict[Monomial, int] = field(default_factory=dict)
     turned: dict[Monomial, tuple[Term, Term]] = field(default_factory=dict)
@@ -89,7 +88,7 @@ class Parts:
             case _:
                 self.letters[term] = None
                 if not isinstance(term, Symbol | Pi):
-                    self.unknown[term] = None
+                    self.unknown.add(term.function if isinstance(term, Call) else "integrals")
         self.inside[term] = None
 
     def _root(self, term: Call) -> None:
@@ -105,7 +104,7 @@ class Parts:
         multiples = expand(argument)
         turns = multiples.pop(frozenset({(PI, 1)}), Fraction(0))
         if multiples.pop(frozenset(), 0):
-            self.unknown[argument] = None  # the sine of 1 may be related to pi
+            self.unknown.add("angles that are plain numbers")
         self.angles[argument] = Angle(multiples, turns)
         self.order = lcm(self.order, 2 * turns.denominator)
         for atom, ratio in multiples.items():
@@ -116,7 +115,7 @@ class Parts:
         turned = inverse_function(atom)
         if turned is None:
             if not is_independent(atom):
-                self.unknown[atom] = None
+                self.unknown.add("angles that are no products of symbols")
         elif atom not in self.turned:
             self.turned[atom] = turned
             self.note(turned)
@@ -177,18 +176,18 @@ def is_plainly_positive(term: Term, positive: Collection[str]) -> bool:
     """
     match term:
         case Number(value=value):
-            return value >= 0
+            plain = value >= 0
         case Symbol(name=name):
-            return name in positive
-        case Pi():
-            return True
+            plain = name in positive
         case Call(function=function):
-            return function in SIGNED or sign_of_constant(term) == 1
+            plain = function in SIGNED or sign_of_constant(term) == 1
         case Power(base=base, exponent=exponent):
-            return exponent % 2 == 0 or is_plainly_positive(base, positive)
-        case Sum(terms=parts) | Product(factors=parts):
-            return all(is_plainly_positive(part, positive) for part in parts)
-    return False
+            plain = exponent % 2 == 0 or is_plainly_positive(base, positive)
+        case Sum() | Product():
+            plain = all(is_plainly_positive(part, positive) for part in term.parts)
+        case _:
+            plain = isinstance(term, Pi)
+    return plain
 
 
 def sign_of_constant(term: Term) -> int:

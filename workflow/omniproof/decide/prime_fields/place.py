@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
 from math import prod
 from random import Random
+from typing import Any
 
 from omniproof.decide.prime_fields.field import PrimeField, prime_field
-from omniproof.formula.monomials import Monomial
 from omniproof.decide.prime_fields.parts import CIRCULAR, Parts, radicand_primes
+from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import Call, Number, Power, Product, Sum, Symbol, Term, rational
 
 
@@ -55,31 +56,31 @@ class Place:
         return found
 
     def _compute(self, term: Term) -> int:
-        match term:
-            case Number(value=value):
-                return self._number(value)
-            case Sum(terms=parts):
-                return sum(map(self.value, parts))
-            case Product(factors=parts):
-                return reduce(lambda a, b: a * b % self.prime, map(self.value, parts), 1)
-            case Power(base=base, exponent=exponent):
-                return self._power(self.value(base), exponent)
-            case Call(function=function, arguments=(argument,)) if function in CIRCULAR:
-                return self._circular(function, argument)
-            case Call(function="sign", arguments=(argument,)):
-                size = self.value(Call("abs", (argument,)))
-                return size * self.field.inverse(self.value(argument))
-            case Call() if self.same.get(term, term) is not term:
-                return self.value(self.same[term])
-            case Call(function="sqrt", arguments=(radicand,)):
-                return self._root(term, radicand)
-            case Call(function="abs", arguments=(argument,)):
-                return self.signs[term] * self.value(argument)
-        raise AssertionError(f"{term} was not collected")
+        return _RULES[type(term)](self, term)
 
-    def _number(self, value: Fraction) -> int:
-        below = value.denominator
-        return value.numerator * (1 if below == 1 else self.field.inverse(below))
+    def _sum(self, term: Sum) -> int:
+        return sum(map(self.value, term.terms))
+
+    def _product(self, term: Product) -> int:
+        return reduce(lambda a, b: a * b % self.prime, map(self.value, term.factors), 1)
+
+    def _number(self, term: Number) -> int:
+        above, below = term.value.numerator, term.value.denominator
+        return above * (1 if below == 1 else self.field.inverse(below))
+
+    def _call(self, term: Call) -> int:
+        (argument,) = term.arguments
+        if term.function in CIRCULAR:
+            return self._circular(term.function, argument)
+        if term.function == "sign":
+            size = self.value(Call("abs", (argument,)))
+            return size * self.field.inverse(self.value(argument))
+        same = self.same.get(term, term)
+        if same is not term:
+            return self.value(same)
+        if term.function == "abs":
+            return self.signs[term] * self.value(argument)
+        return self._root(term, argument)
 
     def _power(self, base: int, exponent: int) -> int:
         return pow(base if exponent >= 0 else self.field.inverse(base), abs(exponent), self.prime)
@@ -135,3 +136,13 @@ class Place:
             self._power(self.field.root_of_prime(prime), exponent)
             for prime, exponent in radicand_primes(number).items()
         )
+
+
+_RULES: dict[type[Term], Callable[[Place, Any], int]] = {
+    Number: lambda place, term: place._number(term),
+    Sum: lambda place, term: place._sum(term),
+    Product: lambda place, term: place._product(term),
+    Power: lambda place, term: place._power(place.value(term.base), term.exponent),
+    Call: lambda place, term: place._call(term),
+}
+"""Values of parts; letters have theirs from the start."""

@@ -21,7 +21,6 @@ from math import gcd
 
 from omniproof.decide.prime_fields.field import BITS
 from omniproof.decide.prime_fields.growth import Bounds
-from omniproof.formula.monomials import OutsideError
 from omniproof.decide.prime_fields.parts import (
     Parts,
     constants_of_angles,
@@ -30,6 +29,7 @@ from omniproof.decide.prime_fields.parts import (
     signed_terms,
 )
 from omniproof.decide.prime_fields.place import NoRootError, Place
+from omniproof.formula.monomials import OutsideError
 from omniproof.formula.term import Call, Power, Sum, Symbol, Term, add, symbols
 
 WANTED = 1e-30
@@ -86,9 +86,7 @@ def vanishes(
 
 
 class _Test:
-    def __init__(
-        self, term: Term, nonnegative: Sequence[Term], positive: Collection[str]
-    ) -> None:
+    def __init__(self, term: Term, nonnegative: Sequence[Term], positive: Collection[str]) -> None:
         self.term, self.positive = term, positive
         self.parts = Parts()
         self.parts.note([term, *nonnegative])
@@ -148,7 +146,9 @@ class _Test:
 
     def _refuted(self, place: Place) -> ModularAnswer:
         if self.parts.unknown:
-            return Unsupported("relations of its functions are not known")
+            return Unsupported(
+                f"relations of {', '.join(sorted(self.parts.unknown))} are not known"
+            )
         return NonZero(place.field.prime, place.point())
 
     def _places(self) -> Iterator[tuple[Place, list[int]]]:
