@@ -29,7 +29,7 @@ from omniproof.formula.term import (
     Term,
     root,
 )
-from omniproof.formula.unfold import Cases, Value
+from omniproof.formula.value import Cases, Value
 
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "cot": sp.cot, "sec": sp.sec, "csc": sp.csc,

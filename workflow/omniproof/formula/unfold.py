@@ -14,7 +14,7 @@ from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
 from types import FunctionType
-from typing import Any, NoReturn, TypeAlias
+from typing import Any, NoReturn
 
 from omniproof.formula.grid import LARGEST_DETERMINANT, Grid, ShapeError, cross, inner
 from omniproof.formula.monomials import is_plainly_zero
@@ -37,28 +37,10 @@ from omniproof.formula.term import (
     root,
     substitute,
 )
+from omniproof.formula.value import Cases, Function, Value, kind
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
-
-Value: TypeAlias = Any
-"""A `Term`, a `Grid`, a `Statement`, `Cases`, or a tuple of these."""
-
-
-@dataclass(frozen=True)
-class Function:
-    """What a quantity is, and the names in it that its printed arguments replace."""
-
-    value: Value
-    of: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Cases:
-    """A number by cases: values, each with its condition."""
-
-    branches: tuple[tuple[Term, Statement], ...]
-
 
 AXES = {"x": 0, "y": 1, "z": 2}
 MAX_BITS = 40_000
@@ -127,20 +109,6 @@ class _Scope:
             raise LatexError(message, self.source, node.span, cure)
         text = latex(node)
         raise LatexError(message, text, (0, len(text)), cure)
-
-
-def kind(value: Value) -> str:
-    """Say in words what a value is."""
-    match value:
-        case Grid(shape=(rows, 1)):
-            return f"a vector of {rows}"
-        case Grid(shape=(rows, columns)):
-            return f"a {rows}×{columns} matrix"
-        case Term():
-            return "a number"
-        case tuple():
-            return "a list"
-    return "a statement"
 
 
 def _name(scope: _Scope, node: tree.Name | tree.Applied) -> Value:

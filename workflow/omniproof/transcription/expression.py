@@ -13,8 +13,9 @@ from typing import Any, TypeAlias
 
 from sympy import MatrixBase, Symbol
 
-from omniproof.formula import unfold as terms
+from omniproof.formula import value as terms
 from omniproof.formula.sympy_terms import Converter
+from omniproof.formula.unfold import unfold
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
@@ -43,7 +44,7 @@ def evaluate(node: tree.Node, meanings: Mapping[str, Meaning], source: str = "")
     that was read.
     """
     converter = Converter()
-    value = terms.unfold(node, Lifted(meanings, converter), source)
+    value = unfold(node, Lifted(meanings, converter), source)
     try:
         return converter.expression(value)
     except TypeError:

@@ -1,0 +1,42 @@
+"""What a printed formula is, unfolded: a number, a matrix, a statement, a list."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+from omniproof.formula.grid import Grid
+from omniproof.formula.statement import Statement
+from omniproof.formula.term import Term
+
+Value: TypeAlias = Any
+"""A `Term`, a `Grid`, a `Statement`, `Cases`, or a tuple of these."""
+
+
+@dataclass(frozen=True)
+class Function:
+    """What a quantity is, and the names in it that its printed arguments replace."""
+
+    value: Value
+    of: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Cases:
+    """A number by cases: values, each with its condition."""
+
+    branches: tuple[tuple[Term, Statement], ...]
+
+
+def kind(value: Value) -> str:
+    """Say in words what a value is."""
+    match value:
+        case Grid(shape=(rows, 1)):
+            return f"a vector of {rows}"
+        case Grid(shape=(rows, columns)):
+            return f"a {rows}×{columns} matrix"
+        case Term():
+            return "a number"
+        case tuple():
+            return "a list"
+    return "a statement"
