@@ -8,11 +8,12 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit import balls, confirm_decimals, decimals, enclosure
+from omniproof.audit import confirm_decimals, decimals, enclosure
 from omniproof.audit.answer import Undecided
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import Rounding, format_fraction
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide import balls
 from omniproof.decide.prime_fields.zero import NonZero
 
 pi, sqrt, cos, sin = sp.pi, sp.sqrt, sp.cos, sp.sin
@@ -72,7 +73,9 @@ def test_both_computations_agree(value, places, off, is_root):
 FLINT = [
     pytest.param(decimals, "_is_cut_off", lambda *_: False, sqrt(3), "1.7320", id="never cut off"),
     pytest.param(decimals, "_rounded", lambda v, u: 3 * u, sqrt(2), "1.4", id="correction"),
-    pytest.param(balls, "_root", lambda v: -v.sqrt(), sqrt(2), "1.41", id="the other root"),
+    pytest.param(
+        balls._FUNCTIONS, "sqrt", lambda v: -v.sqrt(), sqrt(2), "1.41", id="the other root"
+    ),
     pytest.param(decimals, "sign", lambda _: 0, sqrt(2), "1.41", id="all is exact"),
 ]
 MPMATH = [
@@ -85,7 +88,8 @@ MPMATH = [
 
 @pytest.mark.parametrize(("owner", "name", "broken", "value", "printed"), [*FLINT, *MPMATH])
 def test_a_broken_side_is_caught_by_the_other(monkeypatch, owner, name, broken, value, printed):
-    monkeypatch.setattr(owner, name, broken)
+    change = monkeypatch.setitem if isinstance(owner, dict) else monkeypatch.setattr
+    change(owner, name, broken)
     with pytest.raises(DisagreementError, match=r"^mpmath contradicts flint on sqrt"):
         confirmed_class(value, printed)
 

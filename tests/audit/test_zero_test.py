@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from identity_table import BRANCH, ROWS, Row, x, y, z
 
-from omniproof.audit import angles, quotient_ring
 from omniproof.audit.answer import Domain, OnBranch, Proved, Refuted, Undecided
-from omniproof.audit.radicals import Extension
 from omniproof.audit.zero_test import DisagreementError, decide, decide_equal
+from omniproof.decide.normal_form import angles, quotient_ring
+from omniproof.decide.normal_form.radicals import Extension
 
 KINDS = {"true": Proved, "false": Refuted, "branch": OnBranch}
 WITH_ID = [pytest.param(row, id=row.name) for row in ROWS]

@@ -15,11 +15,20 @@ from math import prod
 
 import sympy as sp
 
-from omniproof.audit.angles import TRIGONOMETRIC
-from omniproof.audit.normal_form import NormalForm, Signs
+from omniproof.audit.balls import as_term
+from omniproof.decide.normal_form.form import NormalForm, Signs
 
+TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 MOST_PARTS = 14
 MOST_TOGETHER = 3
+
+
+def is_root(node: sp.Expr) -> bool:
+    """Whether a node is an odd power of a square root, or of a root of such a root."""
+    if not (node.is_Pow and node.exp.is_Rational):
+        return False
+    order = int(node.exp.q)
+    return order > 1 and order & (order - 1) == 0
 
 
 @dataclass(frozen=True)
@@ -70,7 +79,7 @@ def _parts(form: NormalForm, expression: sp.Expr) -> Iterator[_Part]:
     """Yield parts of the formula, positive and negative, with different sign patterns."""
     seen: set[tuple[int, frozenset[str]]] = set()
     for candidate in named_parts(expression):
-        pattern = form.sign_pattern(candidate)
+        pattern = form.sign_pattern(as_term(candidate))
         if pattern is None or not pattern[1] or pattern in seen:
             continue
         sign, places = pattern

@@ -18,7 +18,6 @@ from typing import Any, TypeAlias
 import sympy as sp
 from sympy.core.relational import Relational
 
-from omniproof.audit.angles import TRIGONOMETRIC, read_angle
 from omniproof.audit.answer import (
     REALS,
     Answer,
@@ -31,12 +30,14 @@ from omniproof.audit.answer import (
 )
 from omniproof.audit.balls import (
     UnsupportedError,
+    as_term,
     compile_balls,
     evaluate,
     format_ball,
     rational_ball,
     sign_of,
 )
+from omniproof.audit.branches import TRIGONOMETRIC
 from omniproof.audit.confirm_order import confirmed_order
 from omniproof.audit.exact import sign, subtract, vanishes
 from omniproof.audit.quotient import OnBox
@@ -44,6 +45,8 @@ from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, not_on_faces, sign_on
 from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
+from omniproof.decide.normal_form.angles import read_angle
+from omniproof.formula.term import Symbol
 
 ENGINE = ("flint",)
 WANTED = {"<": -1, "\\leq": -1, ">": 1, "\\geq": 1}
@@ -220,10 +223,11 @@ class _Comparison:
             place, side = _compact(t, *range_)
             return OnBox(self.difference.subs(symbol, place), {t: side}), place
         rest = self.difference.xreplace({call: sp.Dummy() for call in calls})
-        angles = [read_angle(call.args[0]).multiples for call in calls]
-        if symbol in rest.free_symbols or any(set(angle) != {symbol} for angle in angles):
+        angles = [read_angle(as_term(call.args[0])).multiples for call in calls]
+        only = frozenset({(Symbol(symbol.name), 1)})
+        if symbol in rest.free_symbols or any(set(angle) != {only} for angle in angles):
             return None, None
-        period = 2 * sp.pi * lcm(*(int(angle[symbol].q) for angle in angles))
+        period = 2 * sp.pi * lcm(*(angle[only].denominator for angle in angles))
         return OnBox(self.difference, {symbol: (-sp.S.One, period)}), symbol
 
     def unequal(self) -> Answer:

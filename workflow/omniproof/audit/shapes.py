@@ -21,11 +21,11 @@ import sympy as sp
 from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.answer import Witness as Point
 from omniproof.audit.balls import UnsupportedError, WorkLimitError
+from omniproof.audit.branches import is_root
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.exact import sign
 from omniproof.audit.hypotheses import sign_under
 from omniproof.audit.signs import guarded
-from omniproof.audit.survey import is_root
 from omniproof.registry import Curve
 
 ENGINE = ("flint",)

@@ -30,20 +30,21 @@ from omniproof.audit.balls import (
     Ball,
     Program,
     UnsupportedError,
+    as_term,
     compile_balls,
     evaluate,
     exact_number,
     format_ball,
     rational_ball,
 )
-from omniproof.audit.branches import Condition, find_condition
+from omniproof.audit.branches import Condition, find_condition, is_root
 from omniproof.audit.exact import subtract
 from omniproof.audit.hypotheses import interior, settle
-from omniproof.audit.normal_form import NormalForm, normal_form
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import REACH, Sample, by_name, sample_points
 from omniproof.audit.signs import sign_on
-from omniproof.audit.survey import is_root
+from omniproof.decide.normal_form.form import NormalForm, normal_form
+from omniproof.formula.sympy_terms import positive_names
 
 ENGINE = ("flint",)
 FIRST_LOOK, SECOND_LOOK, BRANCH_LOOK = 3, 60, 32
@@ -133,6 +134,11 @@ class _Question:
         """The formula whose parts a condition is written in; not needed where there is none."""
         return subtract(self.printed, self.derived)
 
+    def form(self) -> NormalForm:
+        """Bring the difference of the sides into normal form."""
+        positive = positive_names(self.printed, self.derived)
+        return normal_form(as_term(self.printed), as_term(self.derived), positive)
+
     def answer(self) -> Answer:
         """Decide; sides written alike are equal wherever they are defined, if that is anywhere."""
         # One point where both are defined tells almost all false formulas; the rest take algebra.
@@ -140,7 +146,7 @@ class _Question:
             return self.answer_with_branches()
         probe = next((probe for probe in self.probes(FIRST_LOOK) if probe.defined), None)
         if probe is None or not probe.differs:
-            if self.identical or normal_form(self.printed, self.derived).is_zero:
+            if self.identical or self.form().is_zero:
                 return self.proved([probe] if probe else [])
             again = self.probes(SECOND_LOOK, HIGH)
             probe = next((probe for probe in again if probe.differs), None)
@@ -153,7 +159,7 @@ class _Question:
         differing = [probe for probe in probes if probe.differs]
         if probes and len(differing) == len(probes):
             return Refuted(ENGINE, differing[0].witness())
-        form = normal_form(self.printed, self.derived)
+        form = self.form()
         settle(form, self.difference, self.domain)
         if form.is_zero or all(true for _, true in form.patterns()):
             if differing:

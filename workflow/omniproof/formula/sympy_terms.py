@@ -17,6 +17,7 @@ import sympy as sp
 from omniproof.formula.grid import Grid
 from omniproof.formula.statement import Comparison, Logic
 from omniproof.formula.term import (
+    ONE,
     PI,
     Call,
     Integral,
@@ -58,8 +59,8 @@ def term_of(node: Any) -> Term:
     """
     if node.is_Rational:
         return Number(Fraction(int(node.p), int(node.q)))
-    if node is sp.pi:
-        return PI
+    if node is sp.pi or node is sp.E:
+        return PI if node is sp.pi else Call("exp", (ONE,))
     if isinstance(node, sp.Symbol) and node.is_commutative:
         return Symbol(node.name)
     if node.is_Add or node.is_Mul:
@@ -77,6 +78,9 @@ def _power(node: Any) -> Term:
     if twos and exponent.q == 1 << twos:
         term = reduce(lambda inside, _: root(inside), range(twos), term_of(base))
         return term if exponent.p == 1 else Power(term, int(exponent.p))
+    if exponent.is_Rational:  # what is a power of one root should be seen to be one
+        index = Number(Fraction(1, int(exponent.q)))
+        return Power(Call("power", (term_of(base), index)), int(exponent.p))
     return Call("power", (term_of(base), term_of(exponent)))
 
 
@@ -92,8 +96,8 @@ def _integral(node: Any) -> Term:
 def _call(node: Any) -> Term:
     """Name a function; one that no engine knows is as good as any other number."""
     name = NAMES.get(node.func) or (str(node.func) if node.is_Function else "")
-    if not (name and node.args):
-        raise NotATermError(f"{type(node).__name__} is no exact real number")
+    if not (name and node.args) or isinstance(node, sp.Piecewise):
+        raise NotATermError(_refusal(node))
     return Call(name, tuple(map(term_of, node.args)))
 
 
@@ -101,6 +105,16 @@ def positive_names(*expressions: Any) -> frozenset[str]:
     """Return the names of the symbols that SymPy assumes not to be negative."""
     found = set().union(*(expression.free_symbols for expression in expressions))
     return frozenset(symbol.name for symbol in found if symbol.is_nonnegative)
+
+
+def _refusal(node: Any) -> str:
+    if node.is_Float:
+        return f"{node} is a floating-point number, not an exact one"
+    if node in (sp.nan, sp.zoo, sp.oo, -sp.oo):
+        return "it contains a division by zero or another undefined value"
+    if node is sp.I:
+        return "it contains the imaginary unit"
+    return f"{type(node).__name__} is not among the functions that can be enclosed"
 
 
 class Converter:

@@ -19,15 +19,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from fractions import Fraction as Rational
 from itertools import combinations
 from typing import Any
 
-import sympy as sp
 from flint import fmpq
 
-from omniproof.audit.balls import UnsupportedError, WorkLimitError
-from omniproof.audit.constant_field import square_free_part
-from omniproof.audit.quotient_ring import Fraction, Polynomial, QuotientRing
+from omniproof.decide.errors import UnsupportedError, WorkLimitError
+from omniproof.decide.normal_form.constant_field import square_free_part
+from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial, QuotientRing
 
 MOST_FACTORS = 24
 MOST_CONJUGATES = 3  # an element over two roots has three others
@@ -273,8 +273,8 @@ def _is_plain(polynomial: Polynomial) -> bool:
     return not any(name.startswith(("p", "e", "w")) for name in generators_of(polynomial))
 
 
-def _rational(value: Any) -> sp.Rational:
-    return sp.Rational(int(value.p), int(value.q))
+def _rational(value: Any) -> Rational:
+    return Rational(int(value.p), int(value.q))
 
 
 def primes_under_roots(factored: Factored) -> frozenset[int]:

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from fractions import Fraction as Rational
 from typing import Any, NamedTuple, TypeAlias
 
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
-from omniproof.audit.balls import UnsupportedError, WorkLimitError
+from omniproof.decide.errors import UnsupportedError, WorkLimitError
 
 Polynomial: TypeAlias = Any
 """An `fmpq_mpoly` (python-flint publishes no types)."""
@@ -85,9 +86,10 @@ class QuotientRing:
             raise WorkLimitError(f"a product of {len(left)} by {len(right)} terms is too large")
         return self.reduce(left * right)
 
-    def rational(self, value: Any) -> Fraction:
-        """Embed a rational number with attributes `p` and `q`."""
-        return Fraction(self.context.constant(fmpq(int(value.p), int(value.q))), self.one)
+    def rational(self, value: Rational) -> Fraction:
+        """Embed a rational number."""
+        number = fmpq(value.numerator, value.denominator)
+        return Fraction(self.context.constant(number), self.one)
 
     def whole(self, polynomial: Polynomial) -> Fraction:
         """Embed a polynomial."""

@@ -15,8 +15,9 @@ from dataclasses import dataclass
 
 from flint import arb, ctx, fmpq
 
-from omniproof.audit.balls import Ball, UnsupportedError, WorkLimitError
-from omniproof.audit.quotient_ring import Polynomial, QuotientRing
+from omniproof.decide.balls import Ball
+from omniproof.decide.errors import UnsupportedError, WorkLimitError
+from omniproof.decide.normal_form.quotient_ring import Polynomial, QuotientRing
 
 PRECISIONS = (128, 1_024, 8_192)
 MOST_ROOTS = 7

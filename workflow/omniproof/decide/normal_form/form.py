@@ -13,16 +13,16 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 
-import sympy as sp
-
-from omniproof.audit.angles import CircleChart, TangentChart
-from omniproof.audit.balls import UnsupportedError, WorkLimitError
-from omniproof.audit.conversion import Converter
-from omniproof.audit.quotient_ring import Fraction, Polynomial
-from omniproof.audit.radicals import Basis
-from omniproof.audit.separation import Constants
-from omniproof.audit.survey import survey
-from omniproof.audit.tower import build, constants_of
+from omniproof.decide.errors import UnsupportedError, WorkLimitError
+from omniproof.decide.normal_form.angles import CircleChart, TangentChart
+from omniproof.decide.normal_form.conversion import Converter
+from omniproof.decide.normal_form.inverse import without_inverse_functions
+from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial
+from omniproof.decide.normal_form.radicals import Basis
+from omniproof.decide.normal_form.separation import Constants
+from omniproof.decide.normal_form.survey import survey
+from omniproof.decide.normal_form.tower import build, constants_of
+from omniproof.formula.term import ZERO, Term
 
 MOST_SIGNS = 10
 
@@ -64,14 +64,14 @@ class NormalForm:
             ):
                 yield signs, self.constants.vanishes(self._at(self.fraction.numerator, signs))
 
-    def sign_pattern(self, expression: sp.Expr) -> tuple[int, frozenset[str]] | None:
+    def sign_pattern(self, term: Term) -> tuple[int, frozenset[str]] | None:
         """Return the sign of a formula as a constant times a product of open signs.
 
         None when its sign is not such a product: it has factors of its own.
         """
         known = len(self.basis.factors)
         try:
-            value = self.converter.convert(expression)
+            value = self.converter.convert(term)
         except (UnsupportedError, KeyError):  # it has parts that the whole formula has not
             return None
         if value.numerator == 0:
@@ -96,14 +96,17 @@ class NormalForm:
         return polynomial.subs(dict(signs))
 
 
-def normal_form(expression: sp.Expr, subtracted: sp.Expr = sp.S.Zero) -> NormalForm:
-    """Bring a formula, or a difference of two, into normal form.
+def normal_form(
+    term: Term, subtracted: Term = ZERO, positive: frozenset[str] = frozenset()
+) -> NormalForm:
+    """Bring a term, or a difference of two, into normal form.
 
-    Raises `UnsupportedError` for what is outside of the class; `WorkLimitError`, which is one, when
-    it grows too large.
+    `positive` names symbols that are not negative. Raises `UnsupportedError` for what is outside of
+    the class; `WorkLimitError`, which is one, when it grows too large.
     """
-    found = survey([expression, subtracted])
+    terms = [without_inverse_functions(each) for each in (term, subtracted)]
+    found = survey(terms, positive)
     converter, basis = build(found, TangentChart if found.trigonometric_radicals else CircleChart)
-    fraction = converter.ring.subtract(*map(converter.convert, (expression, subtracted)))
+    fraction = converter.ring.subtract(*map(converter.convert, terms))
     reduced = Fraction(*(converter.ring.reduce(part) for part in fraction))
     return NormalForm(converter, basis, constants_of(converter, basis), reduced)

@@ -5,20 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import partial
 
-import sympy as sp
-
-from omniproof.audit.angles import CircleChart
-from omniproof.audit.conversion import Converter
-from omniproof.audit.quotient_ring import Fraction, Polynomial, QuotientRing
-from omniproof.audit.radicals import (
+from omniproof.decide.normal_form.angles import CircleChart
+from omniproof.decide.normal_form.conversion import Converter
+from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial, QuotientRing
+from omniproof.decide.normal_form.radicals import (
     Basis,
     Extension,
     Factored,
     generators_of,
     primes_under_roots,
 )
-from omniproof.audit.separation import Constants
-from omniproof.audit.survey import Survey, argument_of
+from omniproof.decide.normal_form.separation import Constants
+from omniproof.decide.normal_form.survey import Survey, is_positive
+from omniproof.formula.term import Call, Power, Product, Term
 
 MOST_TERMS_OF_NORM = 100
 
@@ -30,7 +29,7 @@ def build(found: Survey, chart: type[CircleChart]) -> tuple[Converter, Basis]:
     """
     converter = Converter(found, chart)
     basis = Basis(converter.ring, found.is_independent)
-    factored: dict[sp.Expr, Factored | None] = {}
+    factored: dict[Call, Factored | None] = {}
     while len(factored) < len(found.radicals):
         basis.sign_of = partial(_definite_sign, converter, basis)
         ready = [n for n, inner in found.radicals.items() if inner <= factored.keys()]
@@ -44,36 +43,40 @@ def build(found: Survey, chart: type[CircleChart]) -> tuple[Converter, Basis]:
 def _factor(
     converter: Converter,
     basis: Basis,
-    nodes: list[sp.Expr],
-    factored: dict[sp.Expr, Factored | None],
+    nodes: list[Call],
+    factored: dict[Call, Factored | None],
 ) -> None:
     """Factor the arguments of radicals; one that was met in another spelling is not factored."""
     ring = converter.ring
     met: list[tuple[Fraction, Factored | None]] = []
     for node in nodes:
-        value = _reduced(converter, argument_of(node))
+        value = _reduced(converter, node.arguments[0])
         same = [known for other, known in met if _are_equal(ring, value, other)]
         if same or value.numerator == 0:
             known = same[0] if same else None
         else:
-            known = basis.factor_product(_parts(converter, argument_of(node)))
+            known = basis.factor_product(_parts(converter, node.arguments[0]))
         met.append((value, known))
         factored[node] = known
-        if node.is_Pow and known is not None:
+        if node.function == "sqrt" and known is not None:
             basis.require_positive(known)
 
 
-def _reduced(converter: Converter, expression: sp.Expr) -> Fraction:
-    return Fraction(*(converter.ring.reduce(part) for part in converter.convert(expression)))
+def _reduced(converter: Converter, term: Term) -> Fraction:
+    return Fraction(*(converter.ring.reduce(part) for part in converter.convert(term)))
 
 
-def _parts(converter: Converter, product: sp.Expr) -> Iterator[tuple[Fraction, int]]:
+def _parts(converter: Converter, term: Term) -> Iterator[tuple[Fraction, int]]:
     """Yield the factors that are printed, as bases with integer exponents."""
-    for factor in sp.Mul.make_args(product):
-        if factor.is_Pow and factor.exp.is_Integer:
-            yield _reduced(converter, factor.base), int(factor.exp)
-        else:
-            yield _reduced(converter, factor), 1
+    match term:
+        case Product(factors=factors):
+            for factor in factors:
+                yield from _parts(converter, factor)
+        case Power(base=base, exponent=exponent):
+            for value, count in _parts(converter, base):
+                yield value, count * exponent
+        case _:
+            yield _reduced(converter, term), 1
 
 
 def _are_equal(ring: QuotientRing, left: Fraction, right: Fraction) -> bool:
@@ -82,7 +85,7 @@ def _are_equal(ring: QuotientRing, left: Fraction, right: Fraction) -> bool:
 
 
 def _extend(
-    converter: Converter, basis: Basis, factored: Mapping[sp.Expr, Factored | None]
+    converter: Converter, basis: Basis, factored: Mapping[Call, Factored | None]
 ) -> Converter:
     """Build a ring with all roots and signs so far, and give every radical its value there."""
     primes = frozenset[int]().union(*(primes_under_roots(f) for f in factored.values() if f))
@@ -95,15 +98,13 @@ def _extend(
     return larger
 
 
-def _value(extension: Extension, node: sp.Expr, factored: Factored | None) -> Fraction:
+def _value(extension: Extension, node: Call, factored: Factored | None) -> Fraction:
+    """Return what a radical is; nothing is known of the sign of what is zero."""
     ring = extension.ring
     if factored is None:
-        return ring.power(ring.whole(ring.zero), int(node.exp.p) if node.is_Pow else 1)
-    if node.is_Pow:
-        return ring.power(extension.root(factored), int(node.exp.p))
-    if isinstance(node, sp.sign):
-        return extension.sign(factored)
-    return extension.absolute(factored)
+        return ring.whole(ring.zero)
+    known = {"sqrt": extension.root, "sign": extension.sign, "abs": extension.absolute}
+    return known[node.function](factored)
 
 
 def constants_of(converter: Converter, basis: Basis) -> Constants:
@@ -146,7 +147,8 @@ def _in_root(ring: QuotientRing, factor: Polynomial, root: str) -> tuple[Polynom
 def _sign_of_terms(converter: Converter, basis: Basis, factor: Polynomial) -> int | None:
     """Return the sign that all terms have: squares, positive symbols and roots are positive."""
     constants = constants_of(converter, basis)
-    positive = {name for node, name in converter.symbols.items() if node.is_nonnegative}
+    known = converter.found.positive
+    positive = {name for term, name in converter.symbols.items() if is_positive(term, known)}
     names = list(converter.ring.place)
     signs = set()
     for monomial, coefficient in constants.coefficients(factor).items():

@@ -10,27 +10,28 @@ does not, so these roots are independent generators: what is not zero here is no
 from __future__ import annotations
 
 from collections.abc import Iterable
+from fractions import Fraction as Rational
 from math import lcm
-from typing import Any
 
-import sympy as sp
-from flint import arb, fmpz_poly
+from flint import arb, fmpz, fmpz_poly
 
-from omniproof.audit.balls import Ball, WorkLimitError
-from omniproof.audit.quotient_ring import Fraction, Polynomial, QuotientRing
+from omniproof.decide.balls import Ball
+from omniproof.decide.errors import WorkLimitError
+from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial, QuotientRing
 
 LARGEST_ORDER = 1_440
-TRIAL_DIVISION = 100_000
+SMOOTH_BITS = 17
+"""Prime factors of so many bits are found; what is left counts as one prime."""
 
 
-def square_free_part(value: Any) -> tuple[sp.Rational, tuple[int, ...]]:
+def square_free_part(value: Rational) -> tuple[Rational, tuple[int, ...]]:
     """Write a positive rational as q^2 times a product of distinct primes: (q, primes)."""
-    scale, primes = sp.Integer(1), []
-    for prime, exponent in sp.factorint(int(value.p * value.q), limit=TRIAL_DIVISION).items():
-        scale *= sp.Integer(prime) ** (exponent // 2)
+    scale, primes = Rational(1, value.denominator), []
+    for prime, exponent in fmpz(value.numerator * value.denominator).factor_smooth(SMOOTH_BITS):
+        scale *= Rational(int(prime)) ** (int(exponent) // 2)
         if exponent % 2:
             primes.append(int(prime))
-    return scale / value.q, tuple(sorted(primes))
+    return scale, tuple(sorted(primes))
 
 
 def field_order(order: int, primes: Iterable[int]) -> int:
@@ -66,7 +67,7 @@ class ConstantField:
             if name != "g":
                 ring.relate(name, ring.generators[name] ** 2 - int(name[1:]))
 
-    def cosine(self, turns: Any) -> Polynomial:
+    def cosine(self, turns: Rational) -> Polynomial:
         """Return cos(turns * pi)."""
         steps = abs(int(turns * self.order)) % (2 * self.order)
         steps = min(steps, 2 * self.order - steps)
@@ -74,22 +75,22 @@ class ConstantField:
             return -self._half(self.order - steps)
         return self._half(steps)
 
-    def sine(self, turns: Any) -> Polynomial:
+    def sine(self, turns: Rational) -> Polynomial:
         """Return sin(turns * pi)."""
-        return self.cosine(sp.Rational(1, 2) - turns)
+        return self.cosine(Rational(1, 2) - turns)
 
     def root_of_prime(self, prime: int) -> Polynomial:
         """Return the positive square root of a prime."""
         if (2 * self.order) % prime:
             return self.ring.generators[f"r{prime}"]
         if prime == 2:
-            return 2 * self.cosine(sp.Rational(1, 4))
+            return 2 * self.cosine(Rational(1, 4))
         wave = self.cosine if prime % 4 == 1 else self.sine
-        legendre = (int(sp.jacobi_symbol(k, prime)) for k in range(1, prime))
-        waves = (wave(sp.Rational(2 * k, prime)) for k in range(1, prime))
+        legendre = (int(fmpz(k).jacobi(prime)) for k in range(1, prime))
+        waves = (wave(Rational(2 * k, prime)) for k in range(1, prime))
         return sum((e * w for e, w in zip(legendre, waves, strict=True)), self.ring.zero)
 
-    def root(self, value: Any) -> Fraction:
+    def root(self, value: Rational) -> Fraction:
         """Return the square root of a positive rational."""
         scale, primes = square_free_part(value)
         result = self.ring.rational(scale)

@@ -15,41 +15,38 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from fractions import Fraction as Rational
 from functools import reduce
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
-import sympy as sp
-
-from omniproof.audit.balls import WorkLimitError
-from omniproof.audit.constant_field import ConstantField
-from omniproof.audit.quotient_ring import Polynomial, QuotientRing
+from omniproof.decide.errors import UnsupportedError, WorkLimitError
+from omniproof.decide.normal_form.constant_field import ConstantField
+from omniproof.decide.normal_form.quotient_ring import Polynomial, QuotientRing
+from omniproof.formula.monomials import Monomial, OutsideError, expand
+from omniproof.formula.term import PI, Term
 
 LARGEST_MULTIPLE = 120
 
-TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
+CIRCULAR = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
+PI_ITSELF: Monomial = frozenset({(PI, 1)})
 
 
 @dataclass(frozen=True)
 class Angle:
     """Sum of rational multiples of atoms, plus `turns` times pi."""
 
-    multiples: Mapping[sp.Expr, sp.Rational]
-    turns: sp.Rational
+    multiples: Mapping[Monomial, Rational]
+    turns: Rational
 
 
-def read_angle(argument: sp.Expr) -> Angle:
+def read_angle(argument: Term) -> Angle:
     """Split the argument of a trigonometric function into atoms and a multiple of pi."""
-    terms = [term.as_coeff_Mul() for term in sp.Add.make_args(argument)]
-    if not all(atom.is_Atom for _, atom in terms):  # else there is nothing to multiply out
-        terms = [term.as_coeff_Mul() for term in sp.Add.make_args(sp.expand(argument))]
-    multiples: dict[sp.Expr, Any] = {}
-    turns = sp.Integer(0)
-    for factor, atom in terms:
-        if atom is sp.pi:
-            turns += factor
-        elif factor != 0:
-            multiples[atom] = multiples.get(atom, sp.Integer(0)) + factor
-    return Angle({atom: factor for atom, factor in multiples.items() if factor != 0}, turns)
+    try:
+        multiples = expand(argument)
+    except OutsideError as reason:
+        raise UnsupportedError(str(reason)) from None
+    turns = multiples.pop(PI_ITSELF, Rational(0))
+    return Angle(multiples, turns)
 
 
 Point: TypeAlias = tuple[Polynomial, Polynomial, Polynomial]
@@ -60,10 +57,10 @@ class CircleChart:
     """Generators c_k, s_k = cos, sin of atom_k / denominator_k."""
 
     def __init__(
-        self, ring: QuotientRing, constants: ConstantField, denominators: Mapping[sp.Expr, int]
+        self, ring: QuotientRing, constants: ConstantField, denominators: Mapping[Monomial, int]
     ) -> None:
         self.ring, self.constants, self.denominators = ring, constants, denominators
-        self.multiples: dict[sp.Expr, list[Point]] = {}
+        self.multiples: dict[Monomial, list[Point]] = {}
         for place, atom in enumerate(denominators):
             cosine, sine = ring.generators[f"c{place}"], ring.generators[f"s{place}"]
             ring.relate(f"s{place}", sine**2 + cosine**2 - 1)
@@ -85,7 +82,7 @@ class CircleChart:
             parts.append((cosine, sine, self.ring.one))
         return reduce(self._turn, parts)
 
-    def _multiple(self, atom: sp.Expr, count: int) -> Point:
+    def _multiple(self, atom: Monomial, count: int) -> Point:
         """Return the point of a multiple of atom / denominator."""
         if abs(count) > LARGEST_MULTIPLE:
             raise WorkLimitError(f"{count} times an angle is more than {LARGEST_MULTIPLE} times")
@@ -106,7 +103,7 @@ class TangentChart(CircleChart):
     """Generators t_k = tan(atom_k / (2 denominator_k)); cos = (1 - t^2)/(1 + t^2)."""
 
     def __init__(
-        self, ring: QuotientRing, constants: ConstantField, denominators: Mapping[sp.Expr, int]
+        self, ring: QuotientRing, constants: ConstantField, denominators: Mapping[Monomial, int]
     ) -> None:
         self.ring, self.constants, self.denominators = ring, constants, denominators
         self.multiples = {}

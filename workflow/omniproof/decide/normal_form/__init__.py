@@ -1,0 +1,1 @@
+"""A formula in the normal form of a quotient ring, by FLINT: the engine that proves."""
