@@ -1,7 +1,8 @@
-"""Sines and cosines of inverse functions, written without them.
+"""Functions of their own inverse, written without it.
 
-cos(a + k arccos u) is a polynomial in cos a, sin a, u and sqrt(1 - u^2). It is the same wherever
-the inverse function is defined, so that nothing is lost but where that is, which the print tells.
+The square of sqrt(u) is u, and cos(a + k arccos u) a polynomial in cos a, sin a, u and
+sqrt(1 - u^2). Each is the same wherever the inverse function is defined, so that nothing is lost
+but where that is, which the print tells.
 """
 
 from __future__ import annotations
@@ -37,13 +38,17 @@ Point = tuple[Term, Term]
 
 
 def without_inverse_functions(term: Term) -> Term:
-    """Write sines, cosines and their like of inverse functions without the latter."""
+    """Write even powers of roots, and sines and their like of inverse functions, without these."""
 
     def change(part: Term) -> Term | None:
-        if not (isinstance(part, Call) and part.function in CIRCULAR):
-            return None
-        point = _point(without_inverse_functions(part.arguments[0]))
-        return None if point is None else _OF_POINT[part.function](*point)
+        match part:
+            case Power(base=Call(function="sqrt", arguments=(inside,)), exponent=exponent):
+                if exponent % 2 == 0:
+                    return Power(without_inverse_functions(inside), exponent // 2)
+            case Call(function=function, arguments=(argument,)) if function in CIRCULAR:
+                point = _point(without_inverse_functions(argument))
+                return None if point is None else _OF_POINT[function](*point)
+        return None
 
     return rebuild(term, change)
 
