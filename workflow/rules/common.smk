@@ -4,6 +4,8 @@ What the files beside it share: checked settings, the environment of all steps, 
 
 import os
 import re
+import shlex
+import sys
 from pathlib import Path
 
 from omniproof.report.revision import read_revision
@@ -22,6 +24,9 @@ os.environ.update(
 )
 # Modules that are compiled anew in every step cost more than most steps.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+
+# Snakemake hands this to a shell as it stands, blanks in the path of the project included.
+sys.executable = shlex.quote(os.path.join(sys.prefix, "bin", "python"))
 
 try:
     settings = read_settings(Path("workflow/config.yaml"), overrides=config)
@@ -133,6 +138,15 @@ def recordings_of(*models):
         f"results/simulation/{model}/{file}.csv"
         for model in models
         for file in (*filter(can_run, settings.simulation[model]), "summary")
+    ]
+
+
+def simulated(*models):
+    """Return all that is recorded of models, measured and timed."""
+    return [
+        *recordings_of(*models),
+        *(f"results/benchmarks/simulation/{model}.csv" for model in models),
+        "results/simulation/summary.csv",
     ]
 
 

@@ -19,7 +19,7 @@ from snakemake_interface_logger_plugins.common import LogEvent
 from omniproof.report.step import failure
 
 SHOWN = ("Nothing to be done", "Report created", "This was a dry-run", "Unlock", "Congratulations")
-HIDDEN = ("Exiting because a job execution failed", "Restored previous version")
+HIDDEN = ("Exiting because a job execution failed",)
 WIDTH = 90
 
 
