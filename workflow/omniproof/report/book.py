@@ -80,7 +80,9 @@ def _stage_data(results: Path, extra: Path) -> None:
 def build(source: Path, html: Path) -> None:
     """Build the pages of a staged book into the folder `html`, warnings being errors.
 
-    `files.txt` beside it lists them, so that a lost one is noticed. Raises `BookError` with the warnings and errors of the build; `html` is then as it was.
+    `files.txt` beside it lists them, so that a lost one is noticed.
+
+    Raises `BookError` with the warnings and errors of the build; `html` is then as it was.
     """
     work = html.parent / ".work"
     shutil.rmtree(work, ignore_errors=True)
