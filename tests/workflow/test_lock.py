@@ -95,6 +95,12 @@ def test_a_build_within_a_build_goes_on(start):
     assert start(*LOCK, "echo", "inside").communicate(timeout=60) == ("inside\n", "")
 
 
+def test_build_without_a_standard_input_holds_the_lock(start):
+    within = start("sh", "-c", 'exec "$@" <&-', "sh", *LOCK, *HOLDER)
+    assert within.stdout.readline() == "building\n"
+    assert start("echo", "at last").stderr.readline().startswith(f"Process {within.pid} has been")
+
+
 def test_record_names_the_make_that_began(monkeypatch):
     monkeypatch.setenv("MAKELEVEL", "1")
     assert json.loads(lock._record())["of"] == f"make, process {os.getppid()}"

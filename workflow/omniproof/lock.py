@@ -40,8 +40,10 @@ def hold(file: Path = FILE) -> bool:
         fcntl.flock(descriptor, fcntl.LOCK_EX)
     os.ftruncate(descriptor, 0)
     os.pwrite(descriptor, _record(), 0)
-    os.dup2(descriptor, 0)
-    os.close(descriptor)
+    if descriptor:  # it is 0 already where there was no standard input
+        os.dup2(descriptor, 0)
+        os.close(descriptor)
+    os.set_inheritable(0, True)
     return waited
 
 
@@ -54,7 +56,8 @@ def _is_held(file: Path) -> bool:
 
 
 def _record() -> bytes:
-    made_by = f"make, process {os.getppid()}" if "MAKELEVEL" in os.environ else ""
+    parent = os.getppid()  # 1 where that was killed
+    made_by = f"make, process {parent}" if "MAKELEVEL" in os.environ and parent != 1 else ""
     since = strftime("%Y-%m-%d %H:%M:%S")
     return json.dumps({"process": os.getpid(), "of": made_by, "since": since}).encode()
 
