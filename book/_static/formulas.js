@@ -2,7 +2,7 @@
 // shows on which sides there is more, and at first a boxed (faulty) entry is in view.
 "use strict";
 (() => {
-  const BOXED = ".boxed:not(mjx-assistive-mml *)"; // what is seen of it
+  const FAULT = ":is(.boxed, .changed):not(mjx-assistive-mml *)";
   const placed = new WeakSet(); // from then on, where it stands is the reader's choice
 
   const set = (box, attributes) => {
@@ -17,8 +17,8 @@
     return [inner.left < frame.left - 1 && "left", inner.right > frame.right + 1 && "right"].filter(Boolean);
   };
 
-  const showBoxed = (box) => {
-    const entry = box.querySelector(BOXED);
+  const showFault = (box) => {
+    const entry = box.querySelector(FAULT);
     if (!entry || placed.has(box)) return;
     placed.add(box);
     if (!out(box, entry).length) return;
@@ -29,12 +29,12 @@
   const mark = (box) => {
     const most = box.scrollWidth - box.clientWidth;
     const scrolls = most > 1 && box.clientWidth > 0;
-    if (scrolls) showBoxed(box);
+    if (scrolls) showFault(box);
     const more = [box.scrollLeft > 1 && "left", box.scrollLeft < most - 1 && "right"].filter(Boolean);
-    const boxed = scrolls ? [...box.querySelectorAll(BOXED)].flatMap((entry) => out(box, entry)) : [];
+    const faults = scrolls ? [...box.querySelectorAll(FAULT)].flatMap((entry) => out(box, entry)) : [];
     set(box, {
       "data-more": scrolls && more.join(" "),
-      "data-boxed": boxed.join(" "),
+      "data-fault": faults.join(" "),
       tabindex: scrolls && "0",
       role: scrolls && "group",
       "aria-label": scrolls && "formula, scrolls sideways",

@@ -120,7 +120,7 @@ def is_boxed_in_view(matrix: Locator) -> bool:
 
 def test_a_boxed_entry_is_in_view_at_first(matrix: Locator) -> None:
     assert is_boxed_in_view(matrix)
-    assert matrix.get_attribute("data-boxed") is None
+    assert matrix.get_attribute("data-fault") is None
 
 
 def test_a_boxed_entry_out_of_view_has_a_cue(matrix: Locator, page: Page) -> None:
@@ -130,7 +130,7 @@ def test_a_boxed_entry_out_of_view_has_a_cue(matrix: Locator, page: Page) -> Non
     matrix.focus()
     for _ in range(5):
         page.keyboard.press("ArrowLeft")
-    expect(matrix).to_have_attribute("data-boxed", "right")
+    expect(matrix).to_have_attribute("data-fault", "right")
     expect(matrix).to_have_attribute("data-more", "right")
     assert not is_boxed_in_view(matrix)
     assert more != matrix.evaluate(shade) != "none"
