@@ -1,5 +1,5 @@
 // A formula that is wider than its place scrolls there (formulas.css): the keyboard reaches it, a shade
-// shows on which sides there is more, and at first a boxed (faulty) entry is in view.
+// shows on which sides there is more, and at first its fault is in view (a boxed entry, a changed part).
 "use strict";
 (() => {
   const FAULT = ":is(.boxed, .changed):not(mjx-assistive-mml *)";
@@ -18,23 +18,23 @@
   };
 
   const showFault = (box) => {
-    const entry = box.querySelector(FAULT);
-    if (!entry || placed.has(box)) return;
+    const fault = box.querySelector(FAULT);
+    if (!fault || placed.has(box)) return;
     placed.add(box);
-    if (!out(box, entry).length) return;
-    const [frame, inner] = [box, entry].map((e) => e.getBoundingClientRect());
+    if (!out(box, fault).length) return;
+    const [frame, inner] = [box, fault].map((e) => e.getBoundingClientRect());
     box.scrollLeft += inner.left - frame.left - Math.max(frame.width - inner.width, 0) / 2;
   };
 
   const mark = (box) => {
     const most = box.scrollWidth - box.clientWidth;
-    const scrolls = most > 1 && box.clientWidth > 0;
+    const scrolls = most > 0 && box.clientWidth > 0;
     if (scrolls) showFault(box);
     const more = [box.scrollLeft > 1 && "left", box.scrollLeft < most - 1 && "right"].filter(Boolean);
-    const faults = scrolls ? [...box.querySelectorAll(FAULT)].flatMap((entry) => out(box, entry)) : [];
+    const faults = scrolls ? [...box.querySelectorAll(FAULT)] : [];
     set(box, {
       "data-more": scrolls && more.join(" "),
-      "data-fault": faults.join(" "),
+      "data-fault": [...new Set(faults.flatMap((fault) => out(box, fault)))].join(" "),
       tabindex: scrolls && "0",
       role: scrolls && "group",
       "aria-label": scrolls && "formula, scrolls sideways",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import COMMON_PHONE, DESK, unseen_formulas, visit
+from browser import COMMON_PHONE, unseen_formulas, visit
 from playwright.sync_api import Browser, Locator, Page, expect
 
 FORMULAS = [
@@ -23,8 +23,7 @@ STROKE = (
     '<rect width="900" height="9"/></svg></svg></span>'
 )
 NARROW = "width: 30px"
-TINY = 240
-BOXED = ".boxed:not(mjx-assistive-mml *)"
+FAULT = ":is(.boxed, .changed):not(mjx-assistive-mml *)"
 
 
 @pytest.fixture(scope="module")
@@ -101,44 +100,50 @@ def test_only_what_is_lost_is_a_fault(sheet: Page, html: str, faults: list[str])
     assert unseen_formulas(sheet) == faults
 
 
-@pytest.fixture
-def matrix(page: Page, small: Path) -> Locator:
-    """Give Eq. (6), of which the last entry is boxed, on a screen that is narrower than it."""
-    page.set_viewport_size({"width": TINY, "height": 600})
-    visit(page, f"{small.as_uri()}/omni-arrangement.html#eq-6")
+@pytest.fixture(
+    params=[
+        pytest.param("#eq-6 .math.display", id="a boxed entry"),
+        pytest.param("#eq-A-2-a13 .printed .math", id="a changed part"),
+    ]
+)
+def formula(page: Page, small: Path, request: pytest.FixtureRequest) -> Locator:
+    """Give a formula with a fault at its end, in a place that is narrower than it."""
+    visit(page, f"{small.as_uri()}/omni-arrangement.html")
+    found = page.locator(str(request.param))
+    found.evaluate("e => { e.style.maxWidth = '9rem' }")
     assert unseen_formulas(page) == []
-    return page.locator("#eq-6 .math.display")
+    return found
 
 
-def is_boxed_in_view(matrix: Locator) -> bool:
-    frame, entry = matrix.bounding_box(), matrix.locator(BOXED).bounding_box()
+def is_fault_in_view(formula: Locator) -> bool:
+    frame, entry = formula.bounding_box(), formula.locator(FAULT).last.bounding_box()
     assert frame is not None
     assert entry is not None
     right = [box["x"] + box["width"] for box in (entry, frame)]
     return entry["x"] >= frame["x"] - 1 and right[0] <= right[1] + 1
 
 
-def test_a_boxed_entry_is_in_view_at_first(matrix: Locator) -> None:
-    assert is_boxed_in_view(matrix)
-    assert matrix.get_attribute("data-fault") is None
+def test_a_fault_is_in_view_at_first(formula: Locator) -> None:
+    assert is_fault_in_view(formula)
+    assert formula.get_attribute("data-fault") is None
 
 
-def test_a_boxed_entry_out_of_view_has_a_cue(matrix: Locator, page: Page) -> None:
+def test_a_fault_out_of_view_has_a_cue(formula: Locator, page: Page) -> None:
     """By keyboard a reader scrolls away from it: the shade of that side has another colour."""
     shade = "e => getComputedStyle(e).backgroundImage"
-    more = matrix.evaluate(shade)
-    matrix.focus()
+    more = formula.evaluate(shade)
+    formula.focus()
     for _ in range(5):
         page.keyboard.press("ArrowLeft")
-    expect(matrix).to_have_attribute("data-fault", "right")
-    expect(matrix).to_have_attribute("data-more", "right")
-    assert not is_boxed_in_view(matrix)
-    assert more != matrix.evaluate(shade) != "none"
+    expect(formula).to_have_attribute("data-fault", "right")
+    expect(formula).to_have_attribute("data-more", "right")
+    assert not is_fault_in_view(formula)
+    assert more != formula.evaluate(shade) != "none"
 
 
-def test_only_what_scrolls_is_reached_by_keyboard(matrix: Locator, page: Page) -> None:
-    expect(matrix).to_have_role("group")
-    expect(matrix).to_have_accessible_name("formula, scrolls sideways")
-    page.set_viewport_size({"width": DESK, "height": 600})
-    expect(matrix).not_to_have_attribute("tabindex", "0")
+def test_only_what_scrolls_is_reached_by_keyboard(formula: Locator, page: Page) -> None:
+    expect(formula).to_have_role("group")
+    expect(formula).to_have_accessible_name("formula, scrolls sideways")
+    formula.evaluate("e => { e.style.maxWidth = '' }")
+    expect(formula).not_to_have_attribute("tabindex", "0")
     assert page.locator(".math[tabindex], .math[data-more], .math[role]").count() == 0
