@@ -132,6 +132,13 @@ def code_of(chapter):
     return package(*re.findall(r"^from omniproof\.([\w.]+) import", text, re.MULTILINE))
 
 
+def printed_in(chapter):
+    """Return what the papers print that a chapter holds its own formulas against."""
+    text = Path("notebooks", f"{chapter}.md").read_text(encoding="utf-8")
+    papers = dict.fromkeys(re.findall(r'\bprinted\("([a-z0-9-]+)"', text))
+    return [file for paper in papers for file in paper_data(paper)]
+
+
 def recordings_of(*models):
     """Return what is recorded of models, and their numbers, for the pictures that show them."""
     return [

@@ -21,7 +21,9 @@ from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
 from omniproof.report.theme import stylesheet
 
-DATA = ("ledger.csv", "theorems.json", "tables", "figures", "simulation", "corrigenda")
+DATA = (
+    "ledger.csv", "theorems.json", "tables", "figures", "simulation", "corrigenda", "notebooks",
+)  # fmt: skip
 """What the site offers for download, as it lies in the folder of results."""
 
 
