@@ -16,8 +16,8 @@ from typing import TypeAlias
 import yaml
 
 from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.files import display_name, read_text
 
-MAX_BYTES = 2_000_000
 MAX_DEPTH = 12
 LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -41,32 +41,6 @@ class Document:
         while path and path not in self.places:
             path = path[:-1]
         return self.places.get(path, (1, 1))
-
-
-def display_name(path: Path) -> str:
-    """The path as messages show it: relative to where one stands, if it lies below."""
-    try:
-        return path.resolve().relative_to(Path.cwd()).as_posix()
-    except ValueError:
-        return path.as_posix()
-
-
-def read_text(path: Path) -> str:
-    """The text of a file in UTF-8; raises `BadInput` for a missing, huge or garbled one."""
-    name = display_name(path)
-    if not path.is_file():
-        raise BadInput([Fault(name, 1, 1, "", "expected a file, found none", "write it")])
-    if path.stat().st_size > MAX_BYTES:
-        found = f"expected at most {MAX_BYTES} bytes, found {path.stat().st_size}"
-        raise BadInput([Fault(name, 1, 1, "", found, "split the paper")])
-    raw = path.read_bytes()
-    try:
-        return raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        before = raw[: error.start]
-        line, column = before.count(b"\n") + 1, error.start - (before.rfind(b"\n") + 1) + 1
-        message = f"expected UTF-8, found the byte 0x{raw[error.start]:02x} at offset {error.start}"
-        raise BadInput([Fault(name, line, column, "", message, "save the file as UTF-8")]) from None
 
 
 def load_document(path: Path) -> Document:

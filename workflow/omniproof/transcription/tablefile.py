@@ -13,9 +13,9 @@ from io import StringIO
 from pathlib import Path
 
 from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.files import display_name, read_text
 from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Claim, Kind, Table
-from omniproof.transcription.paperfile import display_name, read_text
 
 INDEX = re.compile(r"[A-Za-z0-9_]+")
 DECIMAL = re.compile(r"[+-]?\d+(\.\d*)?")
