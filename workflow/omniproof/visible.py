@@ -18,6 +18,12 @@ _IGNORED = re.compile(
     "\U000e0000-\U000e0fff]"
 )
 """Letters and marks that are drawn as nothing (Default_Ignorable_Code_Point, and blank Braille)."""
+_ACTING = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff"
+    "\U000e0000-\U000e007f]"
+)
+"""What no text of a paper needs: controls, marks of direction, separators, halves of characters,
+tags. (Others without a glyph belong to some scripts' words, or stand for a damaged font's signs.)"""
 _CANDIDATE = re.compile(r"[^ -~]")
 
 
@@ -49,6 +55,12 @@ def visible_json(text: str) -> str:
         return "".join(f"\\u{units[k : k + 4]}" for k in range(0, len(units), 4))
 
     return _CANDIDATE.sub(shown, text)
+
+
+def acting(text: str) -> str:
+    """Return the first character that acts on what is shown around it, or nothing."""
+    found = _ACTING.search(text)
+    return found[0] if found else ""
 
 
 def hidden(character: str) -> bool:
