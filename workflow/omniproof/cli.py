@@ -12,6 +12,7 @@ import argparse
 import os
 import sys
 from collections.abc import Callable, Sequence
+from errno import EISDIR, ENOTDIR
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -88,7 +89,9 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _add_check(commands.add_parser("check", help="check one formula", description=_CHECK))
     audit = commands.add_parser("audit", help="audit one paper", description=_AUDIT)
-    audit.add_argument("folder", type=Path, help="folder of the paper, such as paper_data/ballbot")
+    audit.add_argument(
+        "folder", type=_folder, help="folder of the paper, such as paper_data/ballbot"
+    )
     audit.add_argument("--json", action="store_true", help="print the ledger as one JSON object")
     _add_simulate(
         commands.add_parser(
@@ -156,6 +159,12 @@ def _shorthand(text: str) -> tuple[str, str]:
     if not (equals and len(letter) == 1 and letter.isalpha()):
         raise argparse.ArgumentTypeError(f"expected LETTER=NAME, such as c=cos, found {text!r}")
     return letter, name
+
+
+def _folder(text: str) -> Path:
+    if not text:
+        raise argparse.ArgumentTypeError("expected the name of a folder, found nothing")
+    return Path(text)
 
 
 def _seconds(text: str) -> float:
@@ -259,6 +268,8 @@ def _simulate(options: argparse.Namespace) -> Said:
     from omniproof.simulation.engines import MissingEngineError
     from omniproof.simulation.names import UnknownNameError
 
+    if options.output:
+        _refuse_no_place_for(options.output)
     try:
         if options.list or options.case is None:
             text = listing(options.model)
@@ -275,9 +286,19 @@ def _simulate(options: argparse.Namespace) -> Said:
     except ImplausibleRunError as error:
         return Said(FALSE, err=str(error))
     if options.output:
-        options.output.write_text(f"{text.rstrip()}\n", encoding="utf-8")
+        try:
+            options.output.write_text(f"{text.rstrip()}\n", encoding="utf-8")
+        except OSError as error:  # a full disk names no file
+            raise OSError(error.errno, error.strerror, str(options.output)) from None
         return Said(OK)
     return Said(OK, text.rstrip())
+
+
+def _refuse_no_place_for(output: Path) -> None:
+    """Raise `OSError` for what cannot become a file, before a run of minutes is lost on it."""
+    number = EISDIR if output.is_dir() else 0 if output.parent.is_dir() else ENOTDIR
+    if number:
+        raise OSError(number, os.strerror(number), str(output))
 
 
 _COMMANDS = {"check": _check, "audit": _audit, "simulate": _simulate}

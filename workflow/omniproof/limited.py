@@ -12,7 +12,6 @@ import os
 import resource
 import signal
 import sys
-import traceback
 from collections.abc import Callable
 
 MAX_MEMORY = 4 * 1024**3
@@ -58,14 +57,15 @@ def _work(work: Callable[[], str], seconds: float, writing: int) -> None:
         status = 0
     except MemoryError:
         status = _NO_MEMORY
-    except BaseException:
-        traceback.print_exc()
     finally:
         os._exit(status)
 
 
 def _share(seconds: float) -> None:
-    """Limit this process, and give the signals that end it back to the kernel."""
+    """Limit this process, give the signals that end it to the kernel, and be silent meanwhile."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    for stream in (1, 2):  # libraries in C tell what they die of
+        os.dup2(nowhere, stream)
     for number in (signal.SIGPROF, signal.SIGINT):
         signal.signal(number, signal.SIG_DFL)
     hard = resource.getrlimit(resource.RLIMIT_DATA)[1]

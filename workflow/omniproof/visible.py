@@ -23,7 +23,7 @@ _ACTING = re.compile(
     "\U000e0000-\U000e007f]"
 )
 """What no text of a paper needs: controls, marks of direction, separators, halves of characters,
-tags. (Others without a glyph belong to some scripts' words, or stand for a damaged font's signs.)"""
+tags. (Others without a glyph belong to the words of some scripts, or to damaged fonts.)"""
 _CANDIDATE = re.compile(r"[^ -~]")
 
 

@@ -129,7 +129,11 @@ class _Comparison:
 
     def holds_at(self, point: Point) -> bool:
         """Whether the statement is true at an exact point; raises `UnsupportedError` at a pole."""
-        found = sign(self.difference.subs(point))
+        try:
+            difference = self.difference.subs(point)
+        except TypeError:  # a condition of cases that cannot be told there
+            raise UnsupportedError("a condition has no value at a point") from None
+        found = sign(difference)
         if self.operator == "\\neq":
             return found != 0
         return found == WANTED[self.operator] or (found == 0 and self.may_vanish)

@@ -24,7 +24,7 @@ KINDS = (
 )  # fmt: skip
 OF_SYSTEM = {
     errno.ENOENT: ("none", "write it"),
-    errno.ENOTDIR: ("a file where its folder should be", "name a folder"),
+    errno.ENOTDIR: ("no folder around it", "name a folder that there is"),
     errno.EISDIR: ("a folder", "name a file in it"),
     errno.ELOOP: ("links that lead in a circle", "put a file in place of the link"),
     errno.ENAMETOOLONG: ("a name that is too long", "choose a shorter one"),

@@ -117,6 +117,10 @@ def _rows(name: str, text: str) -> list[_Row]:
 def _check(rows: list[_Row]) -> Iterator[tuple[_Row, int, str, str]]:
     """Row, cell, message and cure of every fault."""
     header = rows[0]
+    if len(header.cells) == 1:
+        cure = "put a comma between any two cells"
+        yield header, 0, f"expected columns, found one: {shorten(header.cells[0])}", cure
+        return
     columns = [(header, place, name) for place, name in enumerate(header.cells) if place]
     yield from _check_names("column", columns)
     yield from _check_names("row", [(row, 0, row.cells[0]) for row in rows[1:]])
