@@ -13,6 +13,7 @@ from omniproof.settings import module_name, read_settings
 from omniproof.simulation.engines import can_run
 from omniproof.sources import sources
 from omniproof.transcription.faults import BadInput
+from omniproof.visible import visible
 
 # Same bytes on every run: one thread for linear algebra, one order of sets, no display.
 os.environ.update(
@@ -31,7 +32,7 @@ sys.executable = shlex.quote(os.path.join(sys.prefix, "bin", "python"))
 try:
     settings = read_settings(Path("workflow/config.yaml"), overrides=config)
 except BadInput as bad:
-    raise SystemExit(str(bad)) from None
+    raise SystemExit(visible(str(bad))) from None
 
 
 wildcard_constraints:

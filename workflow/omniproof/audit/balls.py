@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -22,8 +23,17 @@ Memory: TypeAlias = list[Ball]
 Step: TypeAlias = Callable[[Memory], Ball]
 
 
+MAX_REASON = 300
+"""So many characters of a reason are shown."""
+
+
 class UnsupportedError(Exception):
     """An engine is asked for what it cannot do; public functions turn it into `Undecided`."""
+
+    def __str__(self) -> str:
+        """The reason, cut where it quotes a number of thousands of digits."""
+        reason = super().__str__()
+        return reason if len(reason) <= MAX_REASON else f"{reason[: MAX_REASON - 1]}…"
 
 
 class WorkLimitError(UnsupportedError):
@@ -99,6 +109,14 @@ def evaluate(
     program = compile_balls([expression], tuple(point))
     with ctx.workprec(precision):
         return program.run([rational_ball(value) for value in point.values()])[0]
+
+
+def as_float(ball: Ball) -> float:
+    """Return the middle of a ball; raises `UnsupportedError` for one that floats do not reach."""
+    middle = float(ball.mid())
+    if not isfinite(middle):
+        raise UnsupportedError("it contains numbers beyond 10^308")
+    return middle
 
 
 def format_ball(ball: Ball, digits: int = 4) -> str:

@@ -53,6 +53,8 @@ STEPS = 300_000
 MOST_CANDIDATES = 30
 ADVICE = "no proof was found without a bounded range for each symbol"
 PROBES = 60
+LARGEST_SHORT = 10**100
+"""Beyond it no short number is near, and its square would soon be beyond floats."""
 Point: TypeAlias = Mapping[sp.Symbol, Any]
 _TURN = re.compile(r"(-?)(?:(\d+)\*)?pi(?:/(\d+))?")
 
@@ -127,7 +129,11 @@ class _Comparison:
 
     def holds_at(self, point: Point) -> bool:
         """Whether the statement is true at an exact point; raises `UnsupportedError` at a pole."""
-        found = sign(self.difference.subs(point))
+        try:
+            difference = self.difference.subs(point)
+        except TypeError:  # a condition of cases that cannot be told there
+            raise UnsupportedError("a condition has no value at a point") from None
+        found = sign(difference)
         if self.operator == "\\neq":
             return found != 0
         return found == WANTED[self.operator] or (found == 0 and self.may_vanish)
@@ -272,7 +278,9 @@ def _points_near(point: Mapping[sp.Symbol, Fraction]) -> Iterator[Point]:
 
 
 def _closed_forms(value: Fraction) -> Iterator[sp.Expr]:
-    """Yield multiples of pi, short rationals, and roots of them."""
+    """Yield multiples of pi, short rationals, and roots of them, where a short one can be close."""
+    if abs(value) > LARGEST_SHORT:
+        return
     yield from recognise(float(value))
     if value != 0:
         yield from (sp.sign(value) * sp.sqrt(square) for square in recognise(float(value) ** 2))

@@ -23,6 +23,8 @@ from omniproof.transcription.reader import Conventions, Names, read_with, symbol
 from omniproof.transcription.tokens import FUNCTIONS, LatexError
 
 REAL_LINE = (-sp.oo, sp.oo)
+LARGEST_BOUND = sp.Integer(10) ** 300
+"""Samples are drawn between floats, which end at 10^308."""
 CONSTANTS = {
     "e": "`e` may be Euler's number or a symbol",
     "i": "`i` may be the imaginary unit or a symbol",
@@ -143,7 +145,8 @@ def _limits(assumptions: Assumptions) -> Iterator[tuple[str, Any, Any, str]]:
         yield symbol_name(text), sp.Integer(0), sp.oo, text
     for text in assumptions.between:
         node = assumptions.read(text)
-        parts = node.operands if isinstance(node, tree.Logic) else (node,)
+        together = isinstance(node, tree.Logic) and node.operator == "and"
+        parts = tree.children(node) if together else (node,)
         for part in parts:
             yield *_limit(part, text), text
 
@@ -168,8 +171,11 @@ def _bound(node: tree.Node, text: str) -> Any:
     value = evaluate(node, {}, text)
     try:
         sign(value)
+        within_reach = sign(subtract(LARGEST_BOUND, sp.Abs(value))) > 0
     except UnsupportedError as reason:
         _refuse(text, f"expected a number as the end of a range: {reason}", "write `0 < x < 1`")
+    if not within_reach:
+        _refuse(text, "expected a number below 10^300 as the end of a range", "leave the end out")
     return value
 
 

@@ -97,6 +97,8 @@ class AtomReader(EnclosedReader, ABC):
         for circle in circles:
             if [self.peek(step).text for step in range(len(circle))] == circle:
                 self.place += len(circle)
+                if circle[0] == "^" and self.at("^"):  # LaTeX: "double superscript"
+                    self.expected("one exponent", r"write brackets: `(30^\circ)^2`")
                 return Degrees(token.text, span=self.since(token.span[0]))
         if self.peek().kind == "number":
             self.expected("a sign between two numbers", "write `\\cdot` between them")

@@ -14,6 +14,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from omniproof.transcription.tree import Span
+from omniproof.visible import hidden
 
 MAX_LENGTH = 10_000
 MAX_DEPTH = 32
@@ -47,7 +48,8 @@ def _excerpt(source: str, span: Span) -> tuple[str, int]:
     if len(source) > EXCERPT:
         middle = (span[0] + min(span[1], span[0] + EXCERPT)) // 2
         start = max(0, min(middle - EXCERPT // 2, len(source) - EXCERPT))
-    return re.sub(r"[^\S ]|[^ -\U0010ffff]|\x7f", " ", source[start : start + EXCERPT]), start
+    shown = source[start : start + EXCERPT]
+    return "".join(" " if sign.isspace() or hidden(sign) else sign for sign in shown), start
 
 
 class Token(NamedTuple):
