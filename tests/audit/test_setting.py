@@ -11,7 +11,7 @@ from omniproof.transcription.tokens import LatexError
 
 def setting(text: str, assumptions: Assumptions | None = None):
     said = assumptions or Assumptions()
-    return settle(text, said.read(text), said)
+    return settle(said.read(text), said)
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ STATUS = {
     "conditional": FALSE,
     "invalid": BAD_INPUT,
     "undecided": UNDECIDED,
+    "definition": UNDECIDED,
 }
 LONGEST_INPUT = 4_000_000
 """So many bytes of stdin are looked at; a formula has far fewer."""
