@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from omniproof.audit.unclear import is_raised
+from omniproof.audit.unclear import CONSTANTS, is_raised
 from omniproof.transcription import tree
 
 IDENTITY = re.compile("I(_.*)?")
@@ -78,7 +78,7 @@ def _all_names(node: tree.Node) -> Iterator[str]:
 def _symbols(side: tree.Node) -> tuple[tree.Symbolic, ...]:
     r"""The symbols that a side consists of; nothing if there is more to it.
 
-    `\det A` is none: it follows from A.
+    `\det A` is none: it follows from A; nor is `e`, which may be a number.
     """
     entries: tuple[tree.Node, ...] = (side,)
     if isinstance(side, tree.MatrixLiteral):
@@ -88,6 +88,7 @@ def _symbols(side: tree.Node) -> tuple[tree.Symbolic, ...]:
     found = tuple(
         entry
         for entry in entries
-        if isinstance(entry, tree.Name | tree.Applied) and not entry.name.startswith("\\det ")
+        if isinstance(entry, tree.Name | tree.Applied)
+        and not (entry.name.startswith("\\det ") or entry.name in CONSTANTS)
     )
     return found if len(found) == len(entries) else ()
