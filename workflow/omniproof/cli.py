@@ -1,9 +1,9 @@
 r"""The command line: `omniproof check 'LHS = RHS'`, `audit FOLDER`, `simulate MODEL CASE`.
 
 Data goes to stdout, talk to stderr. Exit status of all: 2 bad input, 4 internal. A check: 0 true,
-1 false, or true under a condition only, 3 not decided, or a definition. An audit: 0 the ledger could be computed,
-whatever it says. A simulation: 0 done, 1 for a run that left physics behind. Imports wait until a
-command is known, so that `--help` is quick.
+1 false, or true under a condition only, 3 not decided, or a definition. An audit: 0 the ledger
+could be computed, whatever it says. A simulation: 0 done, 1 for a run that left physics behind.
+Imports wait until a command is known, so that `--help` is quick.
 """
 
 from __future__ import annotations
