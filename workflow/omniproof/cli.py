@@ -1,9 +1,9 @@
 r"""The command line: `omniproof check 'LHS = RHS'`, `audit FOLDER`, `simulate MODEL CASE`.
 
 Data goes to stdout, talk to stderr. Exit status of all: 2 bad input, 4 internal. A check: 0 true,
-1 false, or true under a condition only, 3 not decided. An audit: 0 the ledger could be computed,
-whatever it says. A simulation: 0 done, 1 for a run that left physics behind. Imports wait until a
-command is known, so that `--help` is quick.
+1 false, or true under a condition only, 3 not decided, or a definition. An audit: 0 the ledger
+could be computed, whatever it says. A simulation: 0 done, 1 for a run that left physics behind.
+Imports wait until a command is known, so that `--help` is quick.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ STATUS = {
     "conditional": FALSE,
     "invalid": BAD_INPUT,
     "undecided": UNDECIDED,
+    "definition": UNDECIDED,
 }
 LONGEST_INPUT = 4_000_000
 """So many bytes of stdin are looked at; a formula has far fewer."""
@@ -180,9 +181,11 @@ def _seconds(text: str) -> float:
 
 _DESCRIPTION = "Audit what papers on omnidirectional robots print against what mechanics implies."
 _CHECK = """Decide whether a formula is true: an equation, a chain of them, an equation between
-matrices, or an inequality. Every symbol is a real number; e and i are not read. A formula that
-starts with a minus sign goes behind --. Exit status 0 true, 1 false, or true under a condition
-only, 2 bad input, 3 not decided, 4 internal."""
+matrices, or an inequality. Every symbol is a real number; e and i are not read, nor derivatives,
+and vectors and matrices only by their entries. A symbol that stands nowhere else is defined. False
+is what is false in every way to read it. A formula that starts with a minus sign goes behind --.
+Exit status 0 true, 1 false, or true under a condition only, 2 bad input, 3 not decided, or a
+definition: nothing to prove, 4 internal."""
 _AUDIT = """Print the ledger of one paper: a line for every printed cell that a reader has to know
 of, and the number of the others. Exit status 0 whatever the verdicts are, 2 for bad input."""
 

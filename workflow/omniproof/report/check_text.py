@@ -12,6 +12,7 @@ COLOURS = {
     Finding.VERIFIED: 32,
     Finding.ERRATUM: 31,
     Finding.CONDITIONAL: 33,
+    Finding.DEFINITION: 36,
     Finding.UNDECIDED: 35,
     Finding.INVALID: 31,
 }
