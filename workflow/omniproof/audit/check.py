@@ -17,7 +17,8 @@ from typing import TYPE_CHECKING, Any, assert_never
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.lost_roots import lost_roots
+from omniproof.audit.definedness import conditions, lost_conditions
+from omniproof.audit.direct import Statement, digits_of, heard, places, printed_side
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.transcription import tree
@@ -87,7 +88,7 @@ def check(text: str, assumptions: Assumptions = Assumptions()) -> CheckResult:  
         setting = settle(printed, node, assumptions)
         value = partial(evaluate, meanings=setting.meanings, source=printed)
         parts = links(node, value, printed)
-        setting = _where_defined(node, value, setting)
+        setting = _where_defined(node, value, setting, parts)
     except LatexError as error:
         return CheckResult(Finding.INVALID, _short(printed), message=_fault(error))
     except UnsupportedError as reason:
@@ -101,13 +102,20 @@ def check(text: str, assumptions: Assumptions = Assumptions()) -> CheckResult:  
     return _mended(result, node, assumptions, setting)
 
 
-def _where_defined(node: tree.Node, value: Callable[[tree.Node], Any], setting: Setting) -> Setting:
-    conditions = lost_roots(node, value)
-    if not conditions:
+def _where_defined(
+    node: tree.Node, value: Callable[[tree.Node], Any], setting: Setting, parts: Sequence[Link]
+) -> Setting:
+    """Keep to where a formula is defined: an equation by what its values have forgotten of that.
+
+    An order may fail at a single point, so that each has to be told from those of the domain.
+    """
+    is_equation = all(part.operator == "=" for part in parts)
+    needed = (lost_conditions if is_equation else conditions)(node, value)
+    if not needed:
         return setting
     from omniproof.audit.hypotheses import domain_of
 
-    return replace(setting, domain=domain_of(conditions, setting.domain))
+    return replace(setting, domain=domain_of(needed, setting.domain))
 
 
 def _mended(
@@ -130,10 +138,16 @@ def _mended(
 def _decide(part: Link, setting: Setting) -> Answer:
     """Decide one link; one confirmation is enough, since z3 takes as long to import as SymPy."""
     if part.operator == "=":
-        return confirmed_equal(part.left, part.right, setting.domain, enough=1)
-    from omniproof.audit.comparison import compare
+        answer = confirmed_equal(part.left, part.right, setting.domain, enough=1)
+    else:
+        from omniproof.audit.comparison import compare
 
-    return compare(part.left, part.operator, part.right, setting.domain)
+        answer = compare(part.left, part.operator, part.right, setting.domain)
+    known = partial(evaluate, meanings=setting.meanings)
+    left, right = (printed_side(side, known, part.index) for side in part.printed)
+    digits = max(map(digits_of, part.printed))
+    statement = Statement(left, part.operator, right, digits)
+    return heard(answer, statement, partial(places, setting.meanings.values(), setting.domain))
 
 
 def _result(printed: str, parts: Sequence[Link], answers: Sequence[Answer]) -> CheckResult:
