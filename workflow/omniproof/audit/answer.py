@@ -23,7 +23,7 @@ class Witness:
     point: Point
     printed: str
     derived: str
-    exact: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False)
+    exact: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False, kw_only=True)
 
     def __str__(self) -> str:
         """Write `alpha_1=2/7; printed=0.84; derived=-0.31`, the form of the ledger."""

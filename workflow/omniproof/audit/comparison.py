@@ -173,7 +173,7 @@ class _Comparison:
         shown = [[format_ball(ball, digits) for ball in balls] for digits in (4, 8, 16, 32)]
         values = next((pair for pair in shown if pair[0] != pair[1]), shown[0])
         exact = {symbol.name: value for symbol, value in point.items()}
-        return Witness({name: str(value) for name, value in exact.items()}, *values, exact)
+        return Witness({name: str(value) for name, value in exact.items()}, *values, exact=exact)
 
     def with_sides(self, answer: Answer) -> Answer:
         """Show both sides instead of their difference, at the point of a witness."""
@@ -182,11 +182,14 @@ class _Comparison:
         return replace(answer, witness=self.witness(self.place(answer.witness)))
 
     def place(self, witness: Witness) -> Point:
-        """Read the point of a witness."""
-        texts = {symbol: witness.point[symbol.name] for symbol in self.symbols}
+        """Read the point of a witness; a symbol that does not matter to it gets any value."""
+        known = witness.exact or {name: _closed_form(t) for name, t in witness.point.items()}
+        others = {}
+        if any(symbol.name not in known for symbol in self.symbols):
+            others = next(sample_points(self.symbols, self.domain, count=1), {})
         return {
-            symbol: witness.exact[symbol.name] if witness.exact else _closed_form(text)
-            for symbol, text in texts.items()
+            symbol: known.get(symbol.name, _closed_form(str(others.get(symbol, 1))))
+            for symbol in self.symbols
         }
 
     def is_evident(self) -> bool:

@@ -28,15 +28,13 @@ from omniproof.audit.digits import (
     Value,
     are_equal,
     known_value,
+    number,
     value,
 )
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.zero_test import DisagreementError
 from omniproof.transcription import tree
 
-Place: TypeAlias = Mapping[Any, Any]
-"""An exact number for each SymPy symbol."""
-Side: TypeAlias = Callable[[Place], Value]
 POINTS = 3
 """A false statement that an engine proves is hardly true at three points by chance."""
 TRIES, ALLOWED = 60, 12
@@ -49,6 +47,27 @@ FURTHER = 4
 MOST_DIGITS = 2_000
 """Numbers of more digits, such as 10^{9999}, would take seconds."""
 NOWHERE = "no point of the domain was found at which every printed part is defined"
+
+
+class Place(dict[Any, Any]):
+    """An exact number for each SymPy symbol; what is evaluated there is evaluated once."""
+
+    def __init__(self, numbers: Mapping[Any, Any]) -> None:
+        super().__init__(numbers)
+        self.values_at: dict[tuple[Any, int], Value] = {}
+
+    def value(self, known: Any) -> Value:
+        """Evaluate a SymPy expression or matrix; raises `UndefinedError` as `known_value` does."""
+        own = self.get(known)
+        if own is not None and own.is_Rational:
+            return mp.mpf(int(own.p)) / int(own.q)
+        key = known, mp.dps
+        if key not in self.values_at:
+            self.values_at[key] = known_value(known, self)
+        return self.values_at[key]
+
+
+Side: TypeAlias = Callable[[Place], Value]
 
 
 @dataclass(frozen=True)
@@ -136,7 +155,7 @@ def _at_its_witness(
         return answer
     for place in places():
         try:
-            moved = {symbol: there.get(symbol.name, place[symbol]) for symbol in place}
+            moved = Place({s: there.get(s.name, x) for s, x in place.items()})
             if statement.holds(moved, expected=False):
                 raise _contradiction(answer, statement, moved)
             return answer
@@ -155,7 +174,7 @@ def _with_another_witness(
     for place in places:
         try:
             if not statement.holds(place, expected=False):
-                point = {symbol.name: str(number) for symbol, number in place.items()}
+                point = {symbol.name: str(x) for symbol, x in place.items()}
                 witness = Witness(point, *statement.shown(place))
                 return replace(answer, witness=witness)
             reason = "it was found to fail only where a printed part is not defined"
@@ -168,7 +187,7 @@ def _with_another_witness(
 
 def _contradiction(answer: Answer, statement: Statement, place: Place) -> DisagreementError:
     left, right = statement.shown(place)
-    at = ", ".join(f"{symbol} = {number}" for symbol, number in place.items())
+    at = ", ".join(f"{symbol} = {x}" for symbol, x in place.items())
     where = f" at {at}" if at else ""
     engines = "+".join(answer.engines)
     told = f"left {statement.operator} right with left = {left}, right = {right}"
@@ -198,7 +217,7 @@ def _is_met(relation: Any, place: Place) -> bool:
     if relation in (sp.true, sp.false):
         return bool(relation)
     try:
-        left, right = (known_value(side, place) for side in relation.args)
+        left, right = (place.value(side) for side in relation.args)
     except UndefinedError:
         return False
     greater = sp.Integer(left > right)  # compared with 1/2, it stands as left does to right
@@ -209,7 +228,7 @@ def places(symbols: Iterable[Any], domain: Domain) -> Iterator[Place]:
     """Yield points of a domain with all symbols, in exact numbers; always the same."""
     count = ALLOWED if domain.conditions else TRIES
     for sample in sample_points(symbols, domain, count=count, seed=SEED):
-        yield {s: sp.Rational(int(number.p), int(number.q)) for s, number in sample.items()}
+        yield Place({s: sp.Rational(int(x.p), int(x.q)) for s, x in sample.items()})
 
 
 def printed_side(
@@ -224,24 +243,13 @@ def printed_side(
         def meaning(symbol: tree.Symbolic, bound: Mapping[str, Value]) -> Value:
             if symbol.name in bound:
                 return bound[symbol.name]
-            return at_place(known(symbol), place)
+            moved = {known(tree.Name(name)): number(x) for name, x in bound.items()}
+            return (Place({**place, **moved}) if moved else place).value(known(symbol))
 
-        return entry(value(node, meaning), index)
+        found = value(node, meaning)
+        return found[index] if isinstance(found, mp.matrix) else found
 
     return side
-
-
-def entry(item: Value, index: tuple[int, int]) -> Value:
-    """Return an entry of a matrix; a number is its own."""
-    return item[index] if isinstance(item, mp.matrix) else item
-
-
-def at_place(known: Any, place: Place) -> Value:
-    """Evaluate a SymPy expression at a place."""
-    number = place.get(known)
-    if number is not None and number.is_Rational:
-        return mp.mpf(int(number.p)) / int(number.q)
-    return known_value(known, place)
 
 
 def digits_of(node: tree.Node) -> int:
