@@ -64,6 +64,12 @@ class Context:
         """The declared symbols, for reading more LaTeX."""
         return known_names(self.loaded.symbols)
 
+    @cached_property
+    def variables(self) -> frozenset[Symbol]:
+        """SymPy's symbols for what the paper prints and does not derive."""
+        symbols = self.loaded.paper.symbols
+        return frozenset(self._symbol(s) for s in symbols if s.role is not Role.QUANTITY)
+
     def value(self, text: str, claim: str) -> Any:
         """Read and evaluate a formula with the symbols of a claim; raises `LatexError`."""
         node = read_with(text, self.loaded.paper.notation, self.names)
