@@ -18,8 +18,9 @@ from typing import TYPE_CHECKING, Any, assert_never
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
+from omniproof.audit.definedness import conditions, lost_conditions
 from omniproof.audit.definitions import Parts, parts
-from omniproof.audit.lost_roots import lost_roots
+from omniproof.audit.direct import Statement, digits_of, heard, places, printed_side
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_mixed_differences, refuse_segments, refuse_unclear
@@ -151,7 +152,7 @@ def _decided(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckRe
     refuse_unclear(found.rest, printed, assumptions.functions)
     value = partial(evaluate, meanings=setting.meanings, source=printed)
     steps = links(found.rest, value, printed)
-    setting = _where_defined(found.rest, value, setting)
+    setting = _where_defined(found.rest, value, setting, steps)
     result = _result(printed, steps, [_decide(step, setting) for step in steps])
     if result.verdict is Finding.ERRATUM and found.sought:
         sought = ", ".join(f"`{latex(symbol)}`" for symbol in found.sought)
@@ -211,13 +212,20 @@ def _short_functions(node: tree.Node) -> dict[str, str]:
     return {letter: name for letter, name in SHORT.items() if letter in found}
 
 
-def _where_defined(node: tree.Node, value: Callable[[tree.Node], Any], setting: Setting) -> Setting:
-    conditions = lost_roots(node, value)
-    if not conditions:
+def _where_defined(
+    node: tree.Node, value: Callable[[tree.Node], Any], setting: Setting, parts: Sequence[Link]
+) -> Setting:
+    """Keep to where a formula is defined: an equation by what its values have forgotten of that.
+
+    An order may fail at a single point, so that each has to be told from those of the domain.
+    """
+    is_equation = all(part.operator == "=" for part in parts)
+    needed = (lost_conditions if is_equation else conditions)(node, value)
+    if not needed:
         return setting
     from omniproof.audit.hypotheses import domain_of
 
-    return replace(setting, domain=domain_of(conditions, setting.domain))
+    return replace(setting, domain=domain_of(needed, setting.domain))
 
 
 def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> CheckResult:
@@ -241,10 +249,16 @@ def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> C
 def _decide(part: Link, setting: Setting) -> Answer:
     """Decide one link; one confirmation is enough, since z3 takes as long to import as SymPy."""
     if part.operator == "=":
-        return confirmed_equal(part.left, part.right, setting.domain, enough=1)
-    from omniproof.audit.comparison import compare
+        answer = confirmed_equal(part.left, part.right, setting.domain, enough=1)
+    else:
+        from omniproof.audit.comparison import compare
 
-    return compare(part.left, part.operator, part.right, setting.domain)
+        answer = compare(part.left, part.operator, part.right, setting.domain)
+    known = partial(evaluate, meanings=setting.meanings)
+    left, right = (printed_side(side, known, part.index) for side in part.printed)
+    digits = max(map(digits_of, part.printed))
+    statement = Statement(left, part.operator, right, digits)
+    return heard(answer, statement, partial(places, setting.meanings.values(), setting.domain))
 
 
 def _result(printed: str, steps: Sequence[Link], answers: Sequence[Answer]) -> CheckResult:

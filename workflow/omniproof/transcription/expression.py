@@ -272,7 +272,34 @@ def _call(scope: _Scope, node: tree.Call) -> Value:
         if not isinstance(node.argument, tree.Tuple) or len(node.argument.items) != 2:
             scope.refuse(node, "expected two arguments of `atan2`")
         return sympy.atan2(*(scope.number(item) for item in node.argument.items))
-    return FUNCTIONS[node.function](scope.number(node.argument))
+    return _of_number(node.function, scope.number(node.argument))
+
+
+def _of_number(function: str, argument: Expr) -> Expr:
+    """Apply a function, and keep SymPy from a wrong idea of its sign where that is a number.
+
+    SymPy tells the signs of most functions from two digits: an arc cosine near 0 is 0 for it, and a
+    cotangent near a pole may be on the wrong side. Sine, cosine and arc sine are told to the end.
+    """
+    value = FUNCTIONS[function](argument)
+    if argument.free_symbols:
+        return value
+    if isinstance(value, sympy.acos) and value.is_zero:
+        return sympy.pi / 2 - sympy.asin(argument)
+    if function in _QUOTIENTS and value.has(FUNCTIONS[function]):
+        above, below = _QUOTIENTS[function]
+        return above(argument) / below(argument)
+    return value
+
+
+def _one(_argument: Expr) -> Expr:
+    return sympy.S.One
+
+
+_QUOTIENTS: dict[str, tuple[Callable[..., Expr], Callable[..., Expr]]] = {
+    "tan": (sympy.sin, sympy.cos), "cot": (sympy.cos, sympy.sin),
+    "sec": (_one, sympy.cos), "csc": (_one, sympy.sin),
+}  # fmt: skip
 
 
 def _integral(scope: _Scope, node: tree.Integral) -> Value:
