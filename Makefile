@@ -5,8 +5,8 @@ VENV := .venv
 INSTALL := uv pip install --quiet --compile-bytecode --require-hashes --requirement
 LOCK := uv pip compile --quiet --upgrade --universal --generate-hashes --no-header --python-version 3.11
 
-export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
-export VIRTUAL_ENV := $(CURDIR)/$(VENV)
+export VIRTUAL_ENV := $(if $(filter /%,$(VENV)),,$(CURDIR)/)$(VENV)
+export PATH := $(VIRTUAL_ENV)/bin:$(PATH)
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 # Modules that are compiled anew in every process cost more than most steps.
 unexport PYTHONDONTWRITEBYTECODE
@@ -52,14 +52,23 @@ help:
 	@echo "make lock   resolve requirements*.in anew into requirements*.lock"
 	@echo "make clean  remove what was built (.venv stays)"
 
-# The environment, anew whenever a lock file changes. uv installs it three times faster than pip; where
-# uv cannot (a package mirror that only pip knows of), pip installs the same file.
-$(VENV)/ready: requirements-setup.lock requirements.lock requirements-engines.lock pyproject.toml
+LOCKS := requirements-setup.lock requirements.lock requirements-engines.lock pyproject.toml
+
+# One set-up at a time, even after a `make` that was killed: whoever had to wait looks again what is left to do.
+ifndef ALONE
+$(VENV)/ready: $(LOCKS)
+$(VENV)/ready-to-test: $(VENV)/ready requirements-test.lock
+$(VENV)/ready $(VENV)/ready-to-test:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
 	    echo "omniproof needs Python 3.11 or newer; '$(PYTHON)' is `$(PYTHON) --version 2>&1`." \
 	        "Name another one, such as: make PYTHON=python3.12" >&2; exit 1; }
+	@$(PYTHON) -P workflow/omniproof/lock.py $(MAKE) --no-print-directory ALONE=yes $@
+else
+# The environment, from scratch whenever a lock file changes or the last set-up did not end. uv installs it three
+# times faster than pip; where uv cannot (a package mirror that only pip knows of), pip installs the same file.
+$(VENV)/ready: $(LOCKS)
 	@echo "Setting up $(VENV)"
-	@$(PYTHON) -m venv $(VENV)
+	@$(PYTHON) -m venv --clear $(VENV)
 	@pip install --quiet --require-hashes --requirement requirements-setup.lock
 	@$(INSTALL) requirements.lock || pip install --quiet --require-hashes --requirement requirements.lock
 	@$(INSTALL) requirements-engines.lock --no-deps || pip install --quiet --no-deps --require-hashes \
@@ -68,7 +77,10 @@ $(VENV)/ready: requirements-setup.lock requirements.lock requirements-engines.lo
 	@uv pip install --quiet --no-deps --no-build-isolation --editable .
 	@touch $@
 
+# Half the test tools make no environment: it is ready again when they all are there.
 $(VENV)/ready-to-test: $(VENV)/ready requirements-test.lock
 	@echo "Setting up the test tools"
+	@rm $(VENV)/ready
 	@$(INSTALL) requirements-test.lock || pip install --quiet --require-hashes --requirement requirements-test.lock
-	@touch $@
+	@touch $(VENV)/ready $@
+endif

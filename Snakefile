@@ -23,18 +23,22 @@ include: "workflow/rules/notebooks.smk"
 include: "workflow/rules/corrigenda.smk"
 include: "workflow/rules/book.smk"
 include: "workflow/rules/crate.smk"
+include: "workflow/rules/recovery.smk"
 
 
 rule all:
-    """Build everything that the report shows, and the report."""
+    """Build everything that the report shows, and the report: all outputs of all rules."""
     default_target: True
     input:
+        ledgers=ledgers_of(*settings.papers),
         ledger="results/ledger.csv",
         theorems="results/theorems.json",
         mutation="results/mutation.json",
-        simulation="results/simulation/summary.csv",
-        tables=expand("{table}", table=tables_of(*settings.papers)),
-        figures=figures_of(*settings.told),
+        simulation=simulated(*settings.simulation),
+        tables=tables_of(*settings.papers),
+        figures=[*figures_of(*settings.told), *architecture()],
+        data=[*figures_of(*settings.told, suffix="csv"), *architecture(suffix="csv")],
+        abouts=abouts_of(*settings.told, "architecture"),
         chapters=expand("results/notebooks/{chapter}.ipynb", chapter=settings.chapters),
         corrigenda=corrigenda_of(*settings.papers),
         book="book/_build/html/index.html",

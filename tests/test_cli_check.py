@@ -56,10 +56,11 @@ def typed(monkeypatch: pytest.MonkeyPatch) -> Callable[[bytes], None]:
     ("arguments", "status", "verdict"),
     [
         pytest.param([TRUE], 0, "verified", id="true"),
-        pytest.param(["a = b"], 1, "erratum", id="false"),
+        pytest.param(["a = 2a"], 1, "erratum", id="false"),
+        pytest.param(["a = b"], 3, "definition", id="nothing to prove"),
         pytest.param(["|x| = x"], 1, "conditional", id="on a branch"),
         pytest.param(["a ="], 2, "invalid", id="bad input"),
-        pytest.param([r"\sqrt{-1} = x"], 3, "undecided", id="unsupported"),
+        pytest.param([r"\sqrt{-1} = -x"], 3, "undecided", id="unsupported"),
         pytest.param(["|x| = x", "--positive", "x"], 0, "verified", id="positive"),
         pytest.param(
             ["|x| + |y| = x + y", "--positive", "x", "--positive", "y"], 0, "verified", id="twice"
@@ -135,9 +136,9 @@ def test_a_formula_from_stdin() -> None:
         pytest.param(b"x = \x1b[31m", "'\\x1b' is no part of a formula", id="escape sequence"),
         pytest.param(b"x = \x00", "'\\x00' is no part of a formula", id="zero byte"),
         pytest.param(
-            b"9" * 5_000 + b" = x", "expected a number with at most 1000 digits", id="digits"),
+            b"9" * 5_000 + b" = 1", "expected a number with at most 1000 digits", id="digits"),
         pytest.param(
-            b"((9^{99999})^{99999}) = x", "expected a smaller power of a number", id="tower"),
+            b"((9^{99999})^{99999}) = 1", "expected a smaller power of a number", id="tower"),
     ],
 )  # fmt: skip
 def test_hostile_input(
@@ -173,7 +174,7 @@ def test_bytes_that_are_no_text_in_an_argument() -> None:
 def test_output_that_is_no_utf_8() -> None:
     done = run("\N{GREEK SMALL LETTER THETA} = 1/3L", PYTHONIOENCODING="ascii")
     assert done.returncode == 2
-    done = run("\N{GREEK SMALL LETTER THETA} = 2", PYTHONIOENCODING="ascii")
+    done = run("\N{GREEK SMALL LETTER THETA} > 2", PYTHONIOENCODING="ascii")
     assert done.returncode == 1
 
 
@@ -254,7 +255,7 @@ def test_a_pipe_that_is_closed_is_no_failure() -> None:
     reading, writing = os.pipe()
     os.close(reading)
     done = subprocess.run(
-        [*COMMAND, "a = b"], stdout=writing, stderr=subprocess.PIPE, timeout=120, check=False
+        [*COMMAND, "a = 2a"], stdout=writing, stderr=subprocess.PIPE, timeout=120, check=False
     )
     os.close(writing)
     assert (done.returncode, done.stderr) == (1, b"")

@@ -109,8 +109,9 @@ def test_a_fault_is_graver_than_a_condition():
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        pytest.param(r"\sqrt{-1} = x", "not decided: it contains the imaginary unit", id="complex"),
-        pytest.param(r"\sqrt{\sqrt{\cos 2}} = a",
+        pytest.param(r"\sqrt{-1} = -x",
+                     "not decided: it contains the imaginary unit", id="complex"),
+        pytest.param(r"\sqrt{\sqrt{\cos 2}} = -a",
                      "not decided: a root of the sine or cosine of a number is not read",
                      id="root of a transcendental number"),
         pytest.param(r"a = b \text{ or } a = -b",
@@ -132,6 +133,86 @@ def test_undecided(text, message):
     found = check(text)
     assert (found.verdict, found.message) == (Finding.UNDECIDED, message)
     assert (found.witness, found.condition, found.repairs) == (None, "", ())
+
+
+@pytest.mark.parametrize(
+    ("text", "defined"),
+    [
+        pytest.param("x = a + b", "`x`", id="first"),
+        pytest.param("a + b = x", "`x`", id="last"),
+        pytest.param("x = 3", "`x`", id="by a number"),
+        pytest.param("x = y", "`x`, `y`", id="by another one"),
+        pytest.param(r"\vec v = \vec\omega \times \vec r", r"`\vec{v}`", id="vector by name"),
+        pytest.param(
+            r"\mathbf A = \begin{pmatrix} 1 & 2 \end{pmatrix}", "`A`", id="matrix by name"
+        ),
+        pytest.param("(x, y) = (a + b, a - b)", "`x`, `y`", id="vector of symbols"),
+        pytest.param("f(x) = x^2", "`f(x)`", id="function"),
+        pytest.param(r"v = \frac{dx}{dt}", "`v`", id="by what is not read"),
+        pytest.param("v = a + b, w = v - a", "`v`, `w`", id="one after the other"),
+    ],
+)
+def test_definition(text, defined):
+    message = f"a definition of {defined}: nothing to prove"
+    assert check(text) == CheckResult(Finding.DEFINITION, text, message=message)
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict", "message"),
+    [
+        pytest.param("x = a + b = b + a", Finding.VERIFIED,
+                     "true wherever both sides are defined; a definition of `x`", id="true"),
+        pytest.param("x = a + b = a + a", Finding.ERRATUM,
+                     "false; a definition of `x`; another single edit gives ", id="false"),
+        pytest.param("x = |a| = a", Finding.CONDITIONAL,
+                     "true under a condition only; a definition of `x`", id="on a branch"),
+        pytest.param("x = a + b, x - a = b", Finding.UNDECIDED,
+                     "not decided: the definition of `x` is not put in", id="used later"),
+        pytest.param("(a + b, a - b) = (x, y)", Finding.UNDECIDED,
+                     "not decided: it defines `x`, `y`, or is an equation for them",
+                     id="or an equation"),
+    ],
+)  # fmt: skip
+def test_what_is_left_beside_a_definition(text, verdict, message):
+    found = check(text)
+    assert found.verdict is verdict
+    assert found.message.startswith(message)
+
+
+TRUE = "true wherever both sides are defined"
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict", "message"),
+    [
+        pytest.param(r"\cos\theta\,T = T\cos\theta", Finding.VERIFIED,
+                     rf"{TRUE}, if one reads `\cos\theta\,T` as `\cos(\theta)\,T`", id="short"),
+        pytest.param(r"\cos{\theta} T = T\cos\theta", Finding.VERIFIED,
+                     rf"{TRUE}, if one reads `\cos{{\theta}} T` as `\cos(\theta) T`", id="braces"),
+        pytest.param(r"\cos\theta\,T = \cos(\theta T)", Finding.VERIFIED,
+                     rf"{TRUE}, if one reads `\cos\theta\,T` as `\cos(\theta\,T)`", id="long"),
+        pytest.param(r"\sin\omega t\,A = A\sin(\omega t)", Finding.VERIFIED,
+                     rf"{TRUE}, if one reads `\sin\omega t\,A` as `\sin(\omega t)\,A`",
+                     id="in between"),
+        pytest.param(r"\sin a b + \sin a b = 2\sin a b", Finding.VERIFIED,
+                     rf"{TRUE}, if one reads `\sin a b` as `\sin(a b)`", id="the same everywhere"),
+        pytest.param(r"\sin 2x = 2\sin x\cos x", Finding.VERIFIED, TRUE, id="nothing to choose"),
+        pytest.param(r"|\cos x\,y| = y\cos x", Finding.CONDITIONAL,
+                     "true under a condition only, if one reads `\\cos x\\,y` as "
+                     "`\\cos(x)\\,y`", id="on a branch"),
+        pytest.param(r"\sin x\,y = -y\sin x", Finding.ERRATUM,
+                     "false, in each of 2 ways to read it", id="in none"),
+        pytest.param(" + ".join([r"\sin a b"] * 6) + "= 0", Finding.UNDECIDED,
+                     "not decided: there are too many ways to read arguments without brackets",
+                     id="too many"),
+        pytest.param(r"(c\theta)^2 + (s\theta)^2 = 1", Finding.VERIFIED,
+                     r"true if one reads `c` as `\cos` and `s` as `\sin`", id="short functions"),
+    ],
+)  # fmt: skip
+def test_print_that_can_be_read_in_several_ways(text, verdict, message):
+    found = check(text)
+    assert found.verdict is verdict
+    assert found.message.startswith(message)
 
 
 LONG = "+".join(["x"] * 500_000)
@@ -172,11 +253,11 @@ INVALID = [
         "    x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+x+",
         "    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~^",
         "    split the formula"], id="a million characters"),
-    pytest.param("f(x) = 1", NONE, [
+    pytest.param("f(x) = xf", NONE, [
         "`f(x)` may be a function or a product",
-        "    f(x) = 1",
+        "    f(x) = xf",
         "    ~~~^",
-        "    drop the brackets for a product"], id="unknown function"),
+        r"    write `f \cdot (x)` for the product"], id="unknown function"),
     pytest.param("1/3L = 1", NONE, [
         "it is not clear what the slash divides by",
         "    1/3L = 1",

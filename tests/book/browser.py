@@ -15,6 +15,7 @@ from axe_playwright_python.sync_playwright import Axe
 from playwright.sync_api import Page
 
 PHONE, PAPER, DESK = 360, 794, 1280  # paper: A4 at 96 dots an inch
+COMMON_PHONE = 390
 USUAL = ("[PST]", "[togglebutton]")  # what the theme tells the console on every page
 
 _LOOK = """() => {
@@ -26,6 +27,22 @@ _LOOK = """() => {
     errors: all("[data-mjx-error], [data-mml-node=merror], mjx-merror").map(text),
     bare: all(".math").filter((e) => !e.querySelector("mjx-container")).map(text),
   };
+}"""
+_FORMULAS = Path(__file__).with_name("formulas.js").read_text(encoding="utf-8")
+_UNFOLD = """() => {
+  const folded = [...document.querySelectorAll("details:not([open])")];
+  for (const e of folded) { e.open = true; e.dataset.folded = ""; }
+}"""
+_FOLD = """() => {
+  for (const e of document.querySelectorAll("[data-folded]")) {
+    e.open = false;
+    delete e.dataset.folded;
+  }
+}"""
+# Bars that slide take their formulas along; sizes are told to scripts once a frame.
+_STILL = """async () => {
+  await Promise.allSettled(document.getAnimations().map((each) => each.finished));
+  for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
 }"""
 # axe takes minutes for a chapter. Shapes of letters and lines have no text of their own; of cards
 # and rows that look alike (entries of a matrix, too), the first ones stand for the rest;
@@ -91,6 +108,24 @@ def width(page: Page, screen: int) -> int:
     """Return how wide an open page is on a screen of this width."""
     page.set_viewport_size({"width": screen, "height": 800})
     return int(page.evaluate("() => document.documentElement.scrollWidth"))
+
+
+def unseen_formulas(page: Page) -> list[str]:
+    """Return the formulas of an open page that cannot be seen whole: `place: what cuts them`.
+
+    Whatever sets them and whatever they stand in: their ink is held against all that cuts, as far
+    as it cannot be scrolled into view by keyboard.
+    """
+    page.evaluate(_STILL)
+    return list(page.evaluate(_FORMULAS)["faults"])
+
+
+@contextmanager
+def unfolded(page: Page) -> Iterator[None]:
+    """Open everything on a page that unfolds, for a while."""
+    page.evaluate(_UNFOLD)
+    yield
+    page.evaluate(_FOLD)
 
 
 def visit(page: Page, address: str) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 from browser import (
+    COMMON_PHONE,
     DESK,
     PAPER,
     PHONE,
@@ -18,6 +19,8 @@ from browser import (
     look,
     names,
     served,
+    unfolded,
+    unseen_formulas,
     visit,
     width,
 )
@@ -100,6 +103,7 @@ def test_page_over_http(desk: BrowserContext, address: str, name: str) -> None:
 def test_page_on_a_phone(from_disk: tuple[Page, Sight]) -> None:
     page, seen = from_disk
     check(seen, PHONE, file_of(page))
+    assert unseen_formulas(page) == []
 
 
 def test_page_in_print(from_disk: tuple[Page, Sight]) -> None:
@@ -110,6 +114,7 @@ def test_page_in_print(from_disk: tuple[Page, Sight]) -> None:
     assert page.locator("article details:not([open])").count() == 0
     assert not page.locator(".bd-sidebar-primary").is_visible()
     assert width(page, PAPER) <= PAPER
+    assert unseen_formulas(page) == []
     page.evaluate("() => window.dispatchEvent(new Event('afterprint'))")
     assert file_of(page) not in PRINTED or page.pdf().startswith(b"%PDF")
     page.emulate_media(media="screen")
@@ -119,6 +124,15 @@ def test_page_on_a_desk(from_disk: tuple[Page, Sight]) -> None:
     page, seen = from_disk
     assert width(page, DESK) <= DESK
     assert seen.said == []  # in print and here, too
+
+
+def test_every_formula_can_be_seen(from_disk: tuple[Page, Sight]) -> None:
+    """Everything unfolded, none is cut that does not scroll; the page as a whole never scrolls."""
+    page, _ = from_disk
+    with unfolded(page):
+        for screen in (COMMON_PHONE, DESK):
+            assert width(page, screen) <= screen
+            assert (screen, unseen_formulas(page)) == (screen, [])
 
 
 def test_page_has_no_barrier(from_disk: tuple[Page, Sight]) -> None:

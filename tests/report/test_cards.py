@@ -29,6 +29,7 @@ def test_nothing_is_lacking(text: str, ledger: Ledger) -> None:
     [
         pytest.param("counterexample", "example", "counterexample", id="witness"),
         pytest.param("should read", "reads", "should read", id="correction"),
+        pytest.param("Adjugate of", "Of", "its whole note", id="note"),
         pytest.param("decided by", "by", "decided by", id="engines"),
         pytest.param("<dt>change</dt>", "<dt>?</dt>", "what changes", id="what changes"),
         pytest.param("data-latex", "data-tex", "LaTeX to copy", id="LaTeX"),

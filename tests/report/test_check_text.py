@@ -9,7 +9,8 @@ import pytest
 from omniproof.audit.answer import Witness
 from omniproof.audit.check import CheckResult, Finding
 from omniproof.audit.repair import Edit, Repair
-from omniproof.report.check_text import check_json, check_text
+from omniproof.door import Said, say
+from omniproof.report.check_text import COLOURS, check_json, check_text
 
 SINE = r"\sin 2\theta = \sin\theta\cos\theta"
 FALSE = CheckResult(
@@ -105,8 +106,12 @@ def test_a_word_is_never_cut() -> None:
 
 
 @pytest.mark.parametrize("result", [FALSE, TRUE, CONDITIONAL, UNDECIDED, INVALID])
-def test_only_the_verdict_is_coloured(result: CheckResult) -> None:
-    plain, coloured = check_text(result, 80), check_text(result, 80, colour=True)
+def test_only_the_verdict_is_coloured(
+    result: CheckResult, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plain = check_text(result, 80)
+    say(Said(0, plain, colour=COLOURS[result.verdict]), failed=2)
+    coloured = capsys.readouterr().out.removesuffix("\n")
     start, end = coloured.index("\x1b["), coloured.index("\x1b[0m")
     assert coloured[start:end].endswith(f"m{result.verdict.upper()}")
     assert coloured[start + 5 : end] + coloured[end + 4 :] == plain

@@ -109,6 +109,29 @@ def test_a_contradiction_with_one_doubtful_side_is_asked() -> None:
     assert found.contradictions == ()
 
 
+@pytest.mark.parametrize(
+    ("fields", "whole"),
+    [
+        pytest.param(
+            {"note": "how $x$ differs from the mean. differs from eq:2.", "source": "doubtful"}
+            | PAIR,
+            "differs from the mean. Differs from Eq. (2).",
+            id="a place that differs",
+        ),
+        pytest.param(
+            CELL | {"note": "the least, relative error 5, of all. truncated, relative error 0.1."},
+            "The least, relative error 5, of all. Truncated, relative error 0.1.",
+            id="a decimal",
+        ),
+    ],
+)
+def test_a_reason_is_the_whole_note(fields: dict[str, str], whole: str) -> None:
+    """Nothing is taken out of a sentence, by whatever words it has."""
+    rows = tuple(row(name, printed="1", correction="2", **fields) for name in ("eq:1", "eq:2"))
+    content = corrigendum(Ledger(paper="p", claims=2, rows=rows), EDITION)
+    assert whole in text_of(pdf(content))
+
+
 def test_what_is_no_matter_of_a_corrigendum_is_counted() -> None:
     assert CONTENT.unlisted == {"conditional": 1}
 

@@ -9,12 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omniproof.audit.ledger import Ledger, Row, Verdict
-from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor
 from omniproof.report.fragments import Chapter, Overview, in_text, values
-from omniproof.report.fragments.base import results_folder
+from omniproof.report.fragments.base import results_folder, sentences
 from omniproof.report.fragments.claims import row_html, witness_html
 from omniproof.report.fragments.figures import About, figure_html
+from omniproof.report.fragments.listing import listing_html
 from omniproof.report.fragments.overview import paper_html
 from omniproof.report.fragments.theorems import Step, Theorem, theorem_markdown
 from omniproof.transcription.model import Edition, Kind
@@ -181,29 +181,20 @@ def test_a_theorem_has_label_statement_and_proof(chapter: Chapter) -> None:
 
 
 @pytest.mark.parametrize(
-    ("note", "rest", "others"),
+    "note",
     [
-        pytest.param("It fails for $a$ or $b$ (1 or 2).", None, (), id="a set is no repair"),
-        pytest.param("a sum. or $a = 1$.", "a sum.", ("a = 1",), id="one other"),
-        pytest.param("or $a$, or $b$, or $c$", "", ("a", "b", "c"), id="nothing but repairs"),
+        pytest.param("As small an edit: $a$, or $b$.", id="ends in two repairs"),
+        pytest.param("A sum. or $a = 1$.", id="ends in one"),
+        pytest.param("It fails for $a$ or $b$ (1 or 2).", id="ends in words"),
+        pytest.param("It fails for $a$ or $b$", id="ends in a formula"),
     ],
 )
-def test_other_repairs_leave_the_note(note: str, rest: str | None, others: tuple[str]) -> None:
-    assert alternatives(note) == (note if rest is None else rest, others)
-
-
-@pytest.mark.parametrize(
-    ("note", "folded"),
-    [
-        pytest.param("a sum. or $a$.", 0, id="one other stands in the open"),
-        pytest.param("a sum. or $a$, or $b$.", 1, id="two unfold"),
-    ],
-)
-def test_other_repairs_unfold(chapter: Chapter, outline: type, note: str, folded: int) -> None:
-    row = chapter.row("eq:6[1,2]").model_copy(update={"note": note})
-    page = outline(row_html(row, chapter.href))
-    assert page.tags.count("details") == folded
-    assert r"\(a\)" in page.text
+@pytest.mark.parametrize("verdict", list(Verdict))
+def test_a_note_stands_whole(chapter: Chapter, outline: type, note: str, verdict: Verdict) -> None:
+    row = chapter.row("eq:6[1,2]").model_copy(update={"note": note, "verdict": verdict})
+    shown = sentences(re.sub(r"\$([^$]+)\$", r"\\(\1\\)", note))
+    assert shown in outline(row_html(row, chapter.href)).text
+    assert shown in outline(listing_html([row], {row.paper: chapter.href})).text
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from textwrap import indent
+from typing import Any
 
 import pytest
 
@@ -26,23 +27,33 @@ class Project:
 
     folder: Path
 
-    def run(self, *command: str) -> subprocess.CompletedProcess[str]:
+    def run(self, *command: str, timeout: int = 120) -> subprocess.CompletedProcess[str]:
         """Run a command; standard error is in `stdout`, as on a screen."""
+        return subprocess.run(
+            command,
+            cwd=self.folder,
+            env=self._environment(),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            timeout=timeout,
+            check=False,
+        )
+
+    def start(self, *command: str, **streams: Any) -> subprocess.Popen[str]:
+        """Start a command as the first of a process group of its own."""
+        environment = self._environment()
+        return subprocess.Popen(
+            command, cwd=self.folder, env=environment, start_new_session=True, **streams
+        )
+
+    def _environment(self) -> dict[str, str]:
         own = {
             "PYTHONPATH": str(self.folder / "workflow"),
             "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
         }
         outer = {name: value for name, value in os.environ.items() if not name.startswith("MAKE")}
-        return subprocess.run(
-            command,
-            cwd=self.folder,
-            env=outer | own,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            timeout=120,
-            check=False,
-        )
+        return outer | own
 
     def touch_only(self, *, but: tuple[str, str] = ("", "")) -> None:
         """Replace every script by one that only writes its outputs, but for one job.
@@ -97,7 +108,13 @@ def built(first_build: tuple[Project, list[str]]) -> Project:
 
 
 @pytest.fixture(scope="session")
-def jobs(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[dict]]:
+def jobs(plan: list[dict]) -> list[dict]:
+    """Return all jobs of a build that make something."""
+    return [job for job in plan if job["rule"] != "all"]
+
+
+@pytest.fixture(scope="session")
+def plan(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[dict]]:
     """Return all jobs of a build: rule, file of rules, named inputs and outputs, log, …"""
     project = copy_of(root, tmp_path_factory.mktemp("dag"))
     done = project.run(sys.executable, str(Path(__file__).with_name("list_jobs.py")))

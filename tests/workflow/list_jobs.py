@@ -37,4 +37,4 @@ with SnakemakeApi(OutputSettings(quiet={Quietness.ALL}, enable_file_logging=Fals
     workflow = workflow_api._workflow
     workflow._prepare_dag(forceall=True, ignore_incomplete=True, lock_warn_only=True)
     workflow._build_dag()
-    print(json.dumps([record(job) for job in workflow.dag.jobs if job.rule.name != "all"]))
+    print(json.dumps([record(job) for job in workflow.dag.jobs]))

@@ -167,6 +167,14 @@ def test_what_a_chapter_imports_is_an_input(jobs, root):
         assert sorted(needed - set(files(job, "input"))) == []
 
 
+def test_what_a_chapter_holds_its_formulas_against_is_an_input(jobs, root):
+    """Else a change of the printed form would leave the old text beside it."""
+    (job,) = (job for job in jobs if job["input"].get("source") == ["notebooks/derivation.md"])
+    papers = ("ballbot", "omni-arrangement", "omni-trajectory")
+    needed = {f.relative_to(root) for p in papers for f in (root / "paper_data" / p).iterdir()}
+    assert set(job["input"]["printed"]) == set(map(str, needed))
+
+
 def test_derivations_belong_to_their_paper(jobs, root):
     """What several papers share, a topic, may be told in any chapter."""
     settings = read_settings(Path("workflow/config.yaml"), root=root)

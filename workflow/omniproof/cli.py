@@ -1,66 +1,98 @@
 r"""The command line: `omniproof check 'LHS = RHS'`, `audit FOLDER`, `simulate MODEL CASE`.
 
 Data goes to stdout, talk to stderr. Exit status of all: 2 bad input, 4 internal. A check: 0 true,
-1 false, or true under a condition only, 3 not decided. An audit: 0 the ledger could be computed,
-whatever it says. A simulation: 0 done, 1 for a run that left physics behind. Imports wait until a
-command is known, so that `--help` is quick.
+1 false, or true under a condition only, 3 not decided, or a definition. An audit: 0 the ledger
+could be computed, whatever it says. A simulation: 0 done, 1 for a run that left physics behind.
+Imports wait until a command is known, so that `--help` is quick.
 """
 
 from __future__ import annotations
 
 import argparse
-import io
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from errno import EISDIR, ENOTDIR
 from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+from omniproof.door import CLOSED, Said, say
+from omniproof.visible import one_line
+
+if TYPE_CHECKING:
+    from omniproof.audit.check import CheckResult
 
 OK, FALSE, BAD_INPUT, UNDECIDED, INTERNAL = range(5)
+INTERRUPTED = 130
+"""Exit status after Ctrl-C, as shells have it."""
 STATUS = {
     "verified": OK,
     "erratum": FALSE,
     "conditional": FALSE,
     "invalid": BAD_INPUT,
     "undecided": UNDECIDED,
+    "definition": UNDECIDED,
 }
 LONGEST_INPUT = 4_000_000
 """So many bytes of stdin are looked at; a formula has far fewer."""
+PATIENCE, LEAST, MOST = 10, 0.01, 86_400
+"""Seconds of CPU time for a check: by default, at least (a tick of the clock), at most."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit status."""
     options = _parser().parse_args(arguments)
+    try:
+        said = _guarded(lambda: _COMMANDS[options.command](options))
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    return say(said, failed=BAD_INPUT)
+
+
+def _guarded(command: Callable[[], Said]) -> Said:
+    """Run a command; what it raises is told as bad input, or else as an error of ours."""
     from omniproof.transcription.faults import BadInput
 
     try:
-        status, text = _COMMANDS[options.command](options)
+        return command()
     except BadInput as error:
-        print(error, file=sys.stderr)
-        return BAD_INPUT
+        return Said(BAD_INPUT, err=str(error))
+    except OSError as error:
+        return Said(BAD_INPUT, err=_of_system(error))
+    except MemoryError:
+        raise  # a child's: its parent tells what it may take
     except Exception as error:
-        print(f"internal error, please report it: {type(error).__name__}: {error}", file=sys.stderr)
-        return INTERNAL
-    _print(text)
-    return status
+        told = f"internal error, please report it: {type(error).__name__}: {error}"
+        return Said(INTERNAL, err=told)
 
 
-def _print(text: str) -> None:
-    """Print to whatever stdout is: another encoding, or a reader that has seen enough."""
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")
-    try:
-        sys.stdout.write(text and f"{text}\n")
-        sys.stdout.flush()
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+def _of_system(error: OSError) -> str:
+    from omniproof.transcription.files import display_name, of_system
+
+    if error.filename is None:
+        return str(error)
+    found, cure = of_system(error)
+    name = display_name(Path(os.fsdecode(error.filename)))
+    return f"{name}: expected a file, found {found}\n    {cure}"
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose messages are shown like all others: they repeat what was typed."""
+
+    def error(self, message: str) -> NoReturn:
+        usage = self.format_usage()
+        said = Said(BAD_INPUT, err=f"{usage}{self.prog}: error: {one_line(message)}")
+        raise SystemExit(say(said, failed=BAD_INPUT))
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="omniproof", description=_DESCRIPTION)
+    parser = _Parser(prog="omniproof", description=_DESCRIPTION)
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _add_check(commands.add_parser("check", help="check one formula", description=_CHECK))
     audit = commands.add_parser("audit", help="audit one paper", description=_AUDIT)
-    audit.add_argument("folder", type=Path, help="folder of the paper, such as paper_data/ballbot")
+    audit.add_argument(
+        "folder", type=_folder, help="folder of the paper, such as paper_data/ballbot"
+    )
     audit.add_argument("--json", action="store_true", help="print the ledger as one JSON object")
     _add_simulate(
         commands.add_parser(
@@ -114,6 +146,13 @@ def _add_check(check: argparse.ArgumentParser) -> None:
     check.add_argument(
         "--slash", choices=["first", "all"], help="what 1/3L divides by: 3, or all of 3L"
     )
+    check.add_argument(
+        "--limit",
+        metavar="SECONDS",
+        type=_seconds,
+        default=PATIENCE,
+        help=f"CPU time after which it is not decided (default {PATIENCE})",
+    )
 
 
 def _shorthand(text: str) -> tuple[str, str]:
@@ -123,11 +162,30 @@ def _shorthand(text: str) -> tuple[str, str]:
     return letter, name
 
 
+def _folder(text: str) -> Path:
+    if not text:
+        raise argparse.ArgumentTypeError("expected the name of a folder, found nothing")
+    return Path(text)
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0
+    if not LEAST <= seconds <= MOST:
+        message = f"expected seconds from {LEAST} to {MOST}, found {text!r}"
+        raise argparse.ArgumentTypeError(message)
+    return seconds
+
+
 _DESCRIPTION = "Audit what papers on omnidirectional robots print against what mechanics implies."
 _CHECK = """Decide whether a formula is true: an equation, a chain of them, an equation between
-matrices, or an inequality. Every symbol is a real number; e and i are not read. A formula that
-starts with a minus sign goes behind --. Exit status 0 true, 1 false, or true under a condition
-only, 2 bad input, 3 not decided, 4 internal."""
+matrices, or an inequality. Every symbol is a real number; e and i are not read, nor derivatives,
+and vectors and matrices only by their entries. A symbol that stands nowhere else is defined. False
+is what is false in every way to read it. A formula that starts with a minus sign goes behind --.
+Exit status 0 true, 1 false, or true under a condition only, 2 bad input, 3 not decided, or a
+definition: nothing to prove, 4 internal."""
 _AUDIT = """Print the ledger of one paper: a line for every printed cell that a reader has to know
 of, and the number of the others. Exit status 0 whatever the verdicts are, 2 for bad input."""
 
@@ -138,11 +196,13 @@ _SIMULATE_EXAMPLE = """Such as: omniproof simulate omni-robot circle-left-flying
 --set friction=0.3 --summary"""
 
 
-def _check(options: argparse.Namespace) -> tuple[int, str]:
-    from omniproof.audit.check import check
+def _check(options: argparse.Namespace) -> Said:
+    import json
+
+    # Before the clock starts: SymPy takes half a second, whatever the formula is.
+    from omniproof.audit.check import CheckResult, Finding, check
     from omniproof.audit.setting import Assumptions
-    from omniproof.report.check_text import check_json, check_text
-    from omniproof.report.layout import terminal_width
+    from omniproof.limited import LimitError, limited
 
     said = Assumptions(
         tuple(map(_unicode, options.positive)),
@@ -150,19 +210,36 @@ def _check(options: argparse.Namespace) -> tuple[int, str]:
         dict(options.function),
         options.slash,
     )
-    result = check(_formula(options.formula), said)
+    formula = _formula(options.formula)
+
+    def judged() -> str:
+        return json.dumps(_guarded(lambda: _told(check(formula, said), options)))
+
+    try:
+        return Said(*json.loads(limited(judged, options.limit)))
+    except LimitError as reason:
+        message = f"not decided: {reason}; `--limit SECONDS` gives more time"
+        return _told(CheckResult(Finding.UNDECIDED, formula.strip(), message=message), options)
+
+
+def _told(result: CheckResult, options: argparse.Namespace) -> Said:
+    from omniproof.report.check_text import COLOURS, check_json, check_text
+    from omniproof.report.layout import terminal_width
+
     status = STATUS[result.verdict]
     if options.json:
-        return status, check_json(result)
+        return Said(status, check_json(result), json=True)
     if status == BAD_INPUT:
-        print(result.message, file=sys.stderr)
-        return status, ""
-    return status, check_text(result, terminal_width(), colour=_wants_colour())
+        return Said(status, err=result.message)
+    colour = COLOURS[result.verdict] if _wants_colour() else 0
+    return Said(status, check_text(result, terminal_width()), colour=colour)
 
 
 def _formula(argument: str) -> str:
     if argument != "-":
         return _unicode(argument)
+    if sys.stdin is None:  # closed by the shell: `<&-`
+        raise OSError(CLOSED.format("stdin"))
     return sys.stdin.buffer.read(LONGEST_INPUT).decode("utf-8", "replace")
 
 
@@ -174,26 +251,28 @@ def _unicode(text: str) -> str:
 def _wants_colour() -> bool:
     """Whether stdout is a terminal that may be coloured (https://no-color.org)."""
     plain = os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb"
-    return sys.stdout.isatty() and not plain
+    return sys.stdout is not None and sys.stdout.isatty() and not plain
 
 
-def _audit(options: argparse.Namespace) -> tuple[int, str]:
+def _audit(options: argparse.Namespace) -> Said:
     from omniproof.audit.run import audit_paper
 
     ledger = audit_paper(options.folder)
     if options.json:
-        return OK, ledger.model_dump_json(indent=1)
+        return Said(OK, ledger.model_dump_json(indent=1), json=True)
     from omniproof.report.terminal import ledger_text
 
-    return OK, ledger_text(ledger)
+    return Said(OK, ledger_text(ledger))
 
 
-def _simulate(options: argparse.Namespace) -> tuple[int, str]:
+def _simulate(options: argparse.Namespace) -> Said:
     from omniproof.simulation.command import listing, simulated
     from omniproof.simulation.engine import ImplausibleRunError
     from omniproof.simulation.engines import MissingEngineError
     from omniproof.simulation.names import UnknownNameError
 
+    if options.output:
+        _refuse_no_place_for(options.output)
     try:
         if options.list or options.case is None:
             text = listing(options.model)
@@ -206,15 +285,23 @@ def _simulate(options: argparse.Namespace) -> tuple[int, str]:
                 engine=options.engine,
             )
     except (UnknownNameError, MissingEngineError, ValueError) as error:
-        print(error, file=sys.stderr)
-        return BAD_INPUT, ""
+        return Said(BAD_INPUT, err=str(error))
     except ImplausibleRunError as error:
-        print(error, file=sys.stderr)
-        return FALSE, ""
+        return Said(FALSE, err=str(error))
     if options.output:
-        options.output.write_text(f"{text.rstrip()}\n", encoding="utf-8")
-        return OK, ""
-    return OK, text.rstrip()
+        try:
+            options.output.write_text(f"{text.rstrip()}\n", encoding="utf-8")
+        except OSError as error:  # a full disk names no file
+            raise OSError(error.errno, error.strerror, str(options.output)) from None
+        return Said(OK)
+    return Said(OK, text.rstrip())
+
+
+def _refuse_no_place_for(output: Path) -> None:
+    """Raise `OSError` for what cannot become a file, before a run of minutes is lost on it."""
+    number = EISDIR if output.is_dir() else 0 if output.parent.is_dir() else ENOTDIR
+    if number:
+        raise OSError(number, os.strerror(number), str(output))
 
 
 _COMMANDS = {"check": _check, "audit": _audit, "simulate": _simulate}

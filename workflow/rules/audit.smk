@@ -22,8 +22,7 @@ rule audit:
         derivations=lambda wildcards: paper_module(wildcards.paper, "derivations"),
         package=package("audit.run", "audit.ledger"),
     output:
-        # Bad input stops the run here and leaves the earlier ledger, and all that rests on it.
-        ledger=update("results/ledger/{paper}.json"),
+        ledger="results/ledger/{paper}.json",
     log:
         "logs/audit/{paper}.log",
     benchmark:

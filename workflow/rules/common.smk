@@ -4,6 +4,8 @@ What the files beside it share: checked settings, the environment of all steps, 
 
 import os
 import re
+import shlex
+import sys
 from pathlib import Path
 
 from omniproof.report.revision import read_revision
@@ -11,6 +13,7 @@ from omniproof.settings import module_name, read_settings
 from omniproof.simulation.engines import can_run
 from omniproof.sources import sources
 from omniproof.transcription.faults import BadInput
+from omniproof.visible import visible
 
 # Same bytes on every run: one thread for linear algebra, one order of sets, no display.
 os.environ.update(
@@ -23,10 +26,13 @@ os.environ.update(
 # Modules that are compiled anew in every step cost more than most steps.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 
+# Snakemake hands this to a shell as it stands, blanks in the path of the project included.
+sys.executable = shlex.quote(os.path.join(sys.prefix, "bin", "python"))
+
 try:
     settings = read_settings(Path("workflow/config.yaml"), overrides=config)
 except BadInput as bad:
-    raise SystemExit(str(bad)) from None
+    raise SystemExit(visible(str(bad))) from None
 
 
 wildcard_constraints:
@@ -127,12 +133,28 @@ def code_of(chapter):
     return package(*re.findall(r"^from omniproof\.([\w.]+) import", text, re.MULTILINE))
 
 
+def printed_in(chapter):
+    """Return what the papers print that a chapter holds its own formulas against."""
+    text = Path("notebooks", f"{chapter}.md").read_text(encoding="utf-8")
+    papers = dict.fromkeys(re.findall(r'\bprinted\("([a-z0-9-]+)"', text))
+    return [file for paper in papers for file in paper_data(paper)]
+
+
 def recordings_of(*models):
     """Return what is recorded of models, and their numbers, for the pictures that show them."""
     return [
         f"results/simulation/{model}/{file}.csv"
         for model in models
         for file in (*filter(can_run, settings.simulation[model]), "summary")
+    ]
+
+
+def simulated(*models):
+    """Return all that is recorded of models, measured and timed."""
+    return [
+        *recordings_of(*models),
+        *(f"results/benchmarks/simulation/{model}.csv" for model in models),
+        "results/simulation/summary.csv",
     ]
 
 

@@ -3,6 +3,7 @@ This part of the workflow runs the chapters of the report.
 
 REQUIRED INPUTS:
     source     = notebooks/{chapter}.md
+    printed    = paper_data/{paper}/*
     ledgers    = results/ledger/{paper}.json
     theorems   = results/theorems.json
     mutation   = results/mutation.json
@@ -22,6 +23,7 @@ rule notebook:
     """Run the chapter {wildcards.chapter}"""
     input:
         source="notebooks/{chapter}.md",
+        printed=lambda wildcards: printed_in(wildcards.chapter),
         ledgers=lambda wildcards: ledgers_of(*papers_of(wildcards.chapter)),
         theorems="results/theorems.json",
         mutation=lambda wildcards: mutation_of(wildcards.chapter),

@@ -17,9 +17,10 @@ from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from omniproof.report.step import failure
+from omniproof.visible import visible
 
 SHOWN = ("Nothing to be done", "Report created", "This was a dry-run", "Unlock", "Congratulations")
-HIDDEN = ("Exiting because a job execution failed", "Restored previous version")
+HIDDEN = ("Exiting because a job execution failed",)
 WIDTH = 90
 
 
@@ -85,4 +86,4 @@ class LogHandler(LogHandlerBase):
 
 
 def _say(text: str) -> None:
-    print(text, file=sys.stderr, flush=True)
+    print(visible(text), file=sys.stderr, flush=True)

@@ -15,11 +15,15 @@ Point = Mapping[str, str]
 
 @dataclass(frozen=True)
 class Witness:
-    """A point at which two sides differ, with a few digits of both values."""
+    """A point at which two sides differ, with a few digits of both values.
+
+    `exact` holds coordinates that are no rational numbers, by name, as SymPy numbers.
+    """
 
     point: Point
     printed: str
     derived: str
+    exact: Mapping[str, Any] = field(default_factory=dict, compare=False, repr=False, kw_only=True)
 
     def __str__(self) -> str:
         """Write `alpha_1=2/7; printed=0.84; derived=-0.31`, the form of the ledger."""

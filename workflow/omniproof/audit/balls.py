@@ -8,13 +8,13 @@ from typing import Any
 import sympy as sp
 
 from omniproof.decide import balls
-from omniproof.decide.balls import Ball, Program, format_ball, rational_ball, sign_of
+from omniproof.decide.balls import Ball, Program, as_float, format_ball, rational_ball, sign_of
 from omniproof.decide.errors import UnsupportedError, WorkLimitError
 from omniproof.formula.sympy_terms import NotATermError, term_of
 from omniproof.formula.term import Term
 
 __all__ = [
-    "Ball", "Program", "UnsupportedError", "WorkLimitError", "compile_balls", "evaluate",
+    "Ball", "Program", "UnsupportedError", "WorkLimitError", "as_float", "as_term", "compile_balls", "evaluate",
     "exact_number", "format_ball", "rational_ball", "sign_of",
 ]  # fmt: skip
 

@@ -14,7 +14,14 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import arb, fmpq
 
-from omniproof.audit.balls import Ball, UnsupportedError, evaluate, exact_number, rational_ball
+from omniproof.audit.balls import (
+    Ball,
+    UnsupportedError,
+    as_float,
+    evaluate,
+    exact_number,
+    rational_ball,
+)
 from omniproof.audit.exact import sign, subtract
 
 Side: TypeAlias = tuple[fmpq, fmpq]
@@ -69,7 +76,7 @@ class Box:
         """
         point = []
         for ball, (lower, length) in zip(middle, self.enclosed_sides(), strict=True):
-            value = _short(float(ball.mid()), float(length.mid()) * closeness)
+            value = _short(as_float(ball), as_float(length) * closeness)
             if not lower < rational_ball(value) < lower + length:
                 return None
             point.append(value)
@@ -99,7 +106,7 @@ def halves(cell: Cell, sides: list[tuple[Ball, Ball]]) -> tuple[Cell, Cell]:
 
 
 def _rational(ball: Ball) -> fmpq:
-    return fmpq(*float(ball.mid()).as_integer_ratio())
+    return fmpq(*as_float(ball).as_integer_ratio())
 
 
 def _short(value: float, tolerance: float) -> fmpq:

@@ -12,20 +12,26 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, assert_never
 
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.lost_roots import lost_roots
+from omniproof.audit.definedness import conditions, lost_conditions
+from omniproof.audit.definitions import Parts, parts
+from omniproof.audit.direct import Statement, digits_of, heard, places, printed_side
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
+from omniproof.audit.unclear import refuse_mixed_differences, refuse_segments, refuse_unclear
 from omniproof.transcription import tree
 from omniproof.transcription.expression import evaluate
+from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError, tokenize
 
 if TYPE_CHECKING:
     from omniproof.audit.repair import Repair
+    from omniproof.transcription.readings import Reading
 
 FOR_PAPERS = (
     (r"declare `[^`]*` with `role: quantity`, or ", ""),
@@ -45,6 +51,7 @@ class Finding(StrEnum):
     VERIFIED = "verified"
     ERRATUM = "erratum"
     CONDITIONAL = "conditional"
+    DEFINITION = "definition"
     UNDECIDED = "undecided"
     INVALID = "invalid"
 
@@ -75,19 +82,51 @@ SEVERITY = (Refuted, Undecided, OnBranch, Proved)
 """Of several answers, the first kind of these is the answer on the whole statement."""
 
 
+FAVOUR = (
+    Finding.VERIFIED,
+    Finding.DEFINITION,
+    Finding.UNDECIDED,
+    Finding.CONDITIONAL,
+    Finding.ERRATUM,
+)
+"""Of several readings, the one with the first of these verdicts counts."""
+SHORT = {"c": "cos", "s": "sin"}
+"""Letters that robotics writes for functions."""
+
+
 def check(text: str, assumptions: Assumptions = Assumptions()) -> CheckResult:  # noqa: B008
     """Judge one statement in LaTeX; every symbol in it is a real number.
 
-    Never raises for a text: what cannot be read is `invalid`, what cannot be decided `undecided`.
-    Raises `DisagreementError` when engines contradict each other.
+    It is false only if it is false in every reading that its print allows. Never raises for a text:
+    what cannot be read is `invalid`, what cannot be decided `undecided`. Raises `DisagreementError`
+    when engines contradict each other.
     """
     printed = text.strip()
+    judge = partial(_judge, printed, assumptions)
+    ways: tuple[Reading, ...] = ()
+
+    def read_and_judge() -> CheckResult:
+        nonlocal ways
+        ways, complete = assumptions.readings(printed)
+        first = judge(ways[0].node)
+        return first if len(ways) == 1 else _in_favour(first, ways, complete, judge)
+
+    result = _answered(printed, read_and_judge)
+    if result.verdict is not Finding.ERRATUM:
+        return result
+    node = parts(ways[0].node).rest or ways[0].node
+    if (short := _short_functions(node)) and not assumptions.functions:
+        other = check(text, replace(assumptions, functions=short))
+        if other.verdict is Finding.VERIFIED:
+            told = (f"`{letter}` as `\\{name}`" for letter, name in short.items())
+            return replace(other, message=f"true if one reads {' and '.join(told)}")
+    return _answered(printed, partial(_mended, result, node, assumptions))
+
+
+def _answered(printed: str, work: Callable[[], CheckResult]) -> CheckResult:
+    """Do the work; what it raises is an answer, too."""
     try:
-        node = assumptions.read(printed)
-        setting = settle(printed, node, assumptions)
-        value = partial(evaluate, meanings=setting.meanings, source=printed)
-        parts = links(node, value, printed)
-        setting = _where_defined(node, value, setting)
+        return work()
     except LatexError as error:
         return CheckResult(Finding.INVALID, _short(printed), message=_fault(error))
     except UnsupportedError as reason:
@@ -95,31 +134,111 @@ def check(text: str, assumptions: Assumptions = Assumptions()) -> CheckResult:  
     except RecursionError:
         message = "not decided: the formula is nested too deeply"
         return CheckResult(Finding.UNDECIDED, printed, message=message)
-    result = _result(printed, parts, [_decide(part, setting) for part in parts])
-    if result.verdict is not Finding.ERRATUM or any(part.operator != "=" for part in parts):
+
+
+def _judge(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckResult:
+    """Judge one reading of a statement."""
+    return _answered(printed, partial(_decided, printed, assumptions, node))
+
+
+def _decided(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckResult:
+    refuse_mixed_differences(node, printed)
+    found = parts(node)
+    setting = settle(node, assumptions)
+    defined = ", ".join(f"`{latex(symbol)}`" for symbol in found.defined)
+    if found.rest is None:
+        message = f"a definition of {defined}: nothing to prove"
+        return CheckResult(Finding.DEFINITION, printed, message=message)
+    refuse_unclear(found.rest, printed, assumptions.functions)
+    value = partial(evaluate, meanings=setting.meanings, source=printed)
+    steps = links(found.rest, value, printed)
+    setting = _where_defined(found.rest, value, setting, steps)
+    result = _result(printed, steps, [_decide(step, setting) for step in steps])
+    if result.verdict is Finding.ERRATUM and found.sought:
+        sought = ", ".join(f"`{latex(symbol)}`" for symbol in found.sought)
+        message = f"not decided: it defines {sought}, or is an equation for them"
+        return CheckResult(Finding.UNDECIDED, printed, message=message)
+    if not found.defined:
         return result
-    return _mended(result, node, assumptions, setting)
+    if result.verdict is not Finding.VERIFIED and _uses(found):
+        message = f"not decided: the definition of {defined} is not put in"
+        return CheckResult(Finding.UNDECIDED, printed, message=message)
+    return replace(result, message=f"{result.message}; a definition of {defined}")
 
 
-def _where_defined(node: tree.Node, value: Callable[[tree.Node], Any], setting: Setting) -> Setting:
-    conditions = lost_roots(node, value)
-    if not conditions:
+def _uses(found: Parts) -> bool:
+    """Whether what is left to judge has a symbol that the statement defines."""
+    return found.rest is not None and not tree.names(found.rest).isdisjoint(
+        symbol.name for symbol in found.defined
+    )
+
+
+def _in_favour(
+    first: CheckResult,
+    ways: Sequence[Reading],
+    complete: bool,
+    judge: Callable[[tree.Node], CheckResult],
+) -> CheckResult:
+    """Judge the other readings, too; a reading that is no formula is none."""
+    found = [(first, ways[0])]
+    for way in ways[1:]:
+        found.append((judge(way.node), way))
+        if {Finding.VERIFIED} < {result.verdict for result, _ in found}:
+            break
+    found = [pair for pair in found if pair[0].verdict is not Finding.INVALID]
+    if not found:
+        return first
+    best, way = min(found, key=lambda pair: FAVOUR.index(pair[0].verdict))
+    if not complete and best.verdict in {Finding.CONDITIONAL, Finding.ERRATUM}:
+        message = "not decided: there are too many ways to read arguments without brackets"
+        return CheckResult(Finding.UNDECIDED, best.printed, message=message)
+    if len({result.verdict for result, _ in found}) > 1:
+        chosen = ", ".join(f"`{printed}` as `{read}`" for printed, read in way.chosen)
+        return replace(best, message=f"{best.message}, if one reads {chosen}")
+    if best.verdict is Finding.ERRATUM and len(found) > 1:
+        return replace(best, message=f"{best.message}, in each of {len(found)} ways to read it")
+    return best
+
+
+def _short_functions(node: tree.Node) -> dict[str, str]:
+    r"""The letters that stand before symbols as functions may: `c\theta`."""
+    found = {
+        first.name
+        for item in tree.walk(node)
+        if isinstance(item, tree.Product)
+        for first, second in pairwise(item.factors)
+        if isinstance(first, tree.Name) and isinstance(second, tree.Name)
+    }
+    return {letter: name for letter, name in SHORT.items() if letter in found}
+
+
+def _where_defined(
+    node: tree.Node, value: Callable[[tree.Node], Any], setting: Setting, parts: Sequence[Link]
+) -> Setting:
+    """Keep to where a formula is defined: an equation by what its values have forgotten of that.
+
+    An order may fail at a single point, so that each has to be told from those of the domain.
+    """
+    is_equation = all(part.operator == "=" for part in parts)
+    needed = (lost_conditions if is_equation else conditions)(node, value)
+    if not needed:
         return setting
     from omniproof.audit.hypotheses import domain_of
 
-    return replace(setting, domain=domain_of(conditions, setting.domain))
+    return replace(setting, domain=domain_of(needed, setting.domain))
 
 
-def _mended(
-    result: CheckResult, node: tree.Node, assumptions: Assumptions, setting: Setting
-) -> CheckResult:
+def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> CheckResult:
     """Add the repairs of a false equation; the further ones are named in the message."""
+    refuse_segments(node, result.printed)
+    if any(isinstance(item, tree.Comparison) for item in tree.walk(node)):
+        return result
     if len(tokenize(result.printed)) > MOST_TOKENS:
         message = f"{result.message}; too long a formula to look for a repair"
         return replace(result, message=message)
     from omniproof.audit.remedies import remedies
 
-    repairs = remedies(result.printed, node, assumptions, setting)
+    repairs = remedies(result.printed, node, assumptions, settle(node, assumptions))
     others = [f"`{edit.text}`" for edit in repairs[1 : 1 + SHOWN]]
     left_out = len(repairs) - 1 - len(others)
     more = [f"and {left_out} more"] if left_out > 0 else []
@@ -130,16 +249,22 @@ def _mended(
 def _decide(part: Link, setting: Setting) -> Answer:
     """Decide one link; one confirmation is enough, since z3 takes as long to import as SymPy."""
     if part.operator == "=":
-        return confirmed_equal(part.left, part.right, setting.domain, enough=1)
-    from omniproof.audit.comparison import compare
+        answer = confirmed_equal(part.left, part.right, setting.domain, enough=1)
+    else:
+        from omniproof.audit.comparison import compare
 
-    return compare(part.left, part.operator, part.right, setting.domain)
+        answer = compare(part.left, part.operator, part.right, setting.domain)
+    known = partial(evaluate, meanings=setting.meanings)
+    left, right = (printed_side(side, known, part.index) for side in part.printed)
+    digits = max(map(digits_of, part.printed))
+    statement = Statement(left, part.operator, right, digits)
+    return heard(answer, statement, partial(places, setting.meanings.values(), setting.domain))
 
 
-def _result(printed: str, parts: Sequence[Link], answers: Sequence[Answer]) -> CheckResult:
+def _result(printed: str, steps: Sequence[Link], answers: Sequence[Answer]) -> CheckResult:
     """Join the answers on all links of a statement: the gravest one counts."""
     gravest = min((SEVERITY.index(type(answer)), k) for k, answer in enumerate(answers))[1]
-    answer, place = answers[gravest], parts[gravest].place
+    answer, place = answers[gravest], steps[gravest].place
     shared = set[str].intersection(*(set(each.engines) for each in answers))
     engines = tuple(name for name in answer.engines if name in shared)
     match answer:

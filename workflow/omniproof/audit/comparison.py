@@ -55,7 +55,10 @@ STEPS = 300_000
 """More than a confirmation is given: here z3 is the only one left."""
 MOST_CANDIDATES = 30
 ADVICE = "no proof was found without a bounded range for each symbol"
+ELSEWHERE = "it was found to fail only where a printed part is not defined"
 PROBES = 60
+LARGEST_SHORT = 10**100
+"""Beyond it no short number is near, and its square would soon be beyond floats."""
 Point: TypeAlias = Mapping[sp.Symbol, Any]
 _TURN = re.compile(r"(-?)(?:(\d+)\*)?pi(?:/(\d+))?")
 
@@ -81,7 +84,19 @@ class _Comparison:
         self.bounded = all(sp.oo not in (-a, b) for a, b in self.box.values())
 
     def confirmed(self) -> Answer:
-        return confirmed_order(self.answer(), [self.failure], self.region)
+        return confirmed_order(self.where_asserted(self.answer()), [self.failure], self.region)
+
+    def where_asserted(self, answer: Answer) -> Answer:
+        """Look for another witness, or a proof, where a witness is outside of the conditions."""
+        if not isinstance(answer, Refuted | OnBranch):
+            return answer
+        if self.meets_conditions(self.place(answer.witness)):
+            return answer
+        if wrong := self.counterexample():
+            return replace(answer, witness=self.witness(wrong))
+        if self.is_evident():
+            return Proved(ENGINE)
+        return self.by_algebra() or Undecided(ELSEWHERE, ENGINE)
 
     @property
     def failure(self) -> tuple[sp.Expr, str]:
@@ -97,7 +112,7 @@ class _Comparison:
         if not self.symbols:
             return self.of_numbers()
         if self.operator == "\\neq":
-            return self.unequal()
+            return Proved(ENGINE) if self.is_evident() else self.unequal()
         return self.bounded_order() if self.bounded else self.unbounded_order()
 
     def bounded_order(self) -> Answer:
@@ -130,7 +145,12 @@ class _Comparison:
 
     def holds_at(self, point: Point) -> bool:
         """Whether the statement is true at an exact point; raises `UnsupportedError` at a pole."""
-        found = sign(self.difference.subs(point))
+        try:
+            # All at once: with x = 0 put in first, x/y would be 0 at y = 0, too.
+            difference = self.difference.xreplace(dict(point))
+        except TypeError:  # a condition of cases that cannot be told there
+            raise UnsupportedError("a condition has no value at a point") from None
+        found = sign(difference)
         if self.operator == "\\neq":
             return found != 0
         return found == WANTED[self.operator] or (found == 0 and self.may_vanish)
@@ -139,12 +159,10 @@ class _Comparison:
         """Look for a point where the statement is false: 0 and 1 first, where equality hides."""
         for value in (sp.S.Zero, sp.S.One):
             point = dict.fromkeys(self.symbols, value)
-            if all(self.is_inside(symbol, value) for symbol in self.symbols):
-                try:
-                    if not self.holds_at(point):
-                        return point
-                except UnsupportedError:  # a pole
-                    continue
+            if self.is_counterexample(point):
+                return point
+        if self.operator == "\\neq":
+            return None
         program = compile_balls([self.difference], tuple(self.symbols))
         wrong = -WANTED[self.operator]
         for sample in sample_points(self.symbols, self.domain, count=PROBES):
@@ -163,20 +181,41 @@ class _Comparison:
         balls = [evaluate(side.subs(point)) for side in (self.left, self.right)]
         shown = [[format_ball(ball, digits) for ball in balls] for digits in (4, 8, 16, 32)]
         values = next((pair for pair in shown if pair[0] != pair[1]), shown[0])
-        return Witness({symbol.name: str(value) for symbol, value in point.items()}, *values)
+        exact = {symbol.name: value for symbol, value in point.items()}
+        return Witness({name: str(value) for name, value in exact.items()}, *values, exact=exact)
 
     def with_sides(self, answer: Answer) -> Answer:
         """Show both sides instead of their difference, at the point of a witness."""
         if not isinstance(answer, Refuted | OnBranch):
             return answer
-        point = {s: _closed_form(answer.witness.point[s.name]) for s in self.symbols}
-        return replace(answer, witness=self.witness(point))
+        return replace(answer, witness=self.witness(self.place(answer.witness)))
+
+    def place(self, witness: Witness) -> Point:
+        """Read the point of a witness; a symbol that does not matter to it gets any value."""
+        known = witness.exact or {name: _closed_form(t) for name, t in witness.point.items()}
+        others = {}
+        if any(symbol.name not in known for symbol in self.symbols):
+            others = next(sample_points(self.symbols, self.domain, count=1), {})
+        return {
+            symbol: known.get(symbol.name, _closed_form(str(others.get(symbol, 1))))
+            for symbol in self.symbols
+        }
 
     def is_evident(self) -> bool:
-        """Prove the sign from the form: sums of squares, products of positive symbols."""
-        signed = WANTED[self.operator] * (self.left - self.right)
+        """Prove the sign from the form: sums of squares, products of positive symbols.
+
+        What does not vanish by a condition is put in as a symbol that does not.
+        """
+        signed = WANTED.get(self.operator, 1) * (self.left - self.right)
+        divisors = {c.lhs for c in self.domain.conditions if isinstance(c, sp.Ne) and c.rhs == 0}
+        known = {part: sp.Dummy(real=True, nonzero=True) for part in divisors}
         for form in (signed, sp.expand(signed), sp.factor(signed)):
-            if form.is_nonnegative if self.may_vanish else form.is_positive:
+            given = form.xreplace(known)
+            if self.operator == "\\neq":
+                evident = given.is_nonzero
+            else:
+                evident = given.is_nonnegative if self.may_vanish else given.is_positive
+            if evident:
                 return True
         return False
 
@@ -209,10 +248,13 @@ class _Comparison:
         """Whether an exact point is in the domain, and the statement certainly false there."""
         try:
             inside = all(self.is_inside(symbol, value) for symbol, value in point.items())
-            met = all(condition.subs(point) == sp.true for condition in self.domain.conditions)
-            return inside and met and not self.holds_at(point)
+            return inside and self.meets_conditions(point) and not self.holds_at(point)
         except UnsupportedError:
             return False
+
+    def meets_conditions(self, point: Point) -> bool:
+        """Whether all conditions certainly hold at an exact point; of other symbols, none does."""
+        return all(_is_met(condition, point) for condition in self.domain.conditions)
 
     def compact(self) -> tuple[OnBox | None, sp.Expr | None]:
         """Put the variable on a bounded interval; returns also what it is there."""
@@ -260,13 +302,23 @@ class _Comparison:
             for end in inequality.args
             if not end.free_symbols and (end not in self.box[symbol] or self.is_inside(symbol, end))
         }
-        return {end for end in ends if self.vanishes_at(symbol, end)}
+        return {end for end in ends if self.vanishes_at({symbol: end})}
 
-    def vanishes_at(self, symbol: sp.Symbol, end: Any) -> bool:
+    def vanishes_at(self, point: Point) -> bool:
         try:
-            return vanishes(self.difference.subs(symbol, end))
+            return self.meets_conditions(point) and vanishes(self.difference.xreplace(dict(point)))
         except UnsupportedError:
             return False
+
+
+def _is_met(condition: Relational, point: Point) -> bool:
+    difference = (condition.lhs - condition.rhs).xreplace(dict(point))
+    if difference.free_symbols:
+        return True
+    try:
+        return bool(condition.func(sign(difference), 0))
+    except UnsupportedError:
+        return False
 
 
 def _points_near(point: Mapping[sp.Symbol, Fraction]) -> Iterator[Point]:
@@ -276,7 +328,9 @@ def _points_near(point: Mapping[sp.Symbol, Fraction]) -> Iterator[Point]:
 
 
 def _closed_forms(value: Fraction) -> Iterator[sp.Expr]:
-    """Yield multiples of pi, short rationals, and roots of them."""
+    """Yield multiples of pi, short rationals, and roots of them, where a short one can be close."""
+    if abs(value) > LARGEST_SHORT:
+        return
     yield from recognise(float(value))
     if value != 0:
         yield from (sp.sign(value) * sp.sqrt(square) for square in recognise(float(value) ** 2))

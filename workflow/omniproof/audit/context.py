@@ -11,9 +11,9 @@ from sympy import Gt, Lt, MatrixBase, Symbol
 
 from omniproof.audit.answer import Domain
 from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.definedness import lost_conditions
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
-from omniproof.audit.lost_roots import lost_roots
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
 from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
@@ -63,6 +63,12 @@ class Context:
     def names(self) -> Names:
         """The declared symbols, for reading more LaTeX."""
         return known_names(self.loaded.symbols)
+
+    @cached_property
+    def variables(self) -> frozenset[Symbol]:
+        """SymPy's symbols for what the paper prints and does not derive."""
+        symbols = self.loaded.paper.symbols
+        return frozenset(self._symbol(s) for s in symbols if s.role is not Role.QUANTITY)
 
     def value(self, text: str, claim: str) -> Any:
         """Read and evaluate a formula with the symbols of a claim; raises `LatexError`."""
@@ -138,7 +144,7 @@ class Context:
         for name, (lower, upper) in ranges.items():
             if sign(subtract(upper, lower)) <= 0:
                 raise UnsupportedError(f"no value of {name} is left")
-        return domain_of([*self._stated(claim), *self._lost_roots(claim)], Domain(ranges))
+        return domain_of([*self._stated(claim), *self._lost_conditions(claim)], Domain(ranges))
 
     def assumed(self, claim: str) -> list[Any]:
         """Return the same as SymPy relations: `domain` does not tell closed ends from open ones."""
@@ -155,10 +161,10 @@ class Context:
         stated = self.loaded.assumptions.get(claim, ())
         return [evaluate(node, self.meanings_at(claim, node)) for node in stated]
 
-    def _lost_roots(self, claim: str) -> tuple[Any, ...]:
+    def _lost_conditions(self, claim: str) -> tuple[Any, ...]:
         if claim not in self.loaded.trees:
             return ()
-        return lost_roots(self.loaded.trees[claim], partial(self.evaluate, claim))
+        return lost_conditions(self.loaded.trees[claim], partial(self.evaluate, claim))
 
     def sides(self, claim: str) -> tuple[Node, ...]:
         """Sides of a printed equation that its derivation is held against.

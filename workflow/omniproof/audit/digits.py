@@ -29,8 +29,8 @@ Bound: TypeAlias = Mapping[str, Value]
 """Values of the variables of the integrals around a part, by their printed names."""
 Meaning: TypeAlias = Callable[[tree.Symbolic, Bound], Value]
 DIGITS = 60
-AGREED = 40
-"""So many digits of two equal values agree, whatever was lost on the way."""
+LOST = 3
+"""One digit in so many may be lost on the way: to 60 digits, equal values agree to 40."""
 SETTLED = 45
 """So many digits of an integral stay when the points of its rule are doubled."""
 RULES = (8, 16, 32, 64)
@@ -48,6 +48,7 @@ def value(node: tree.Node, meaning: Meaning, bound: Bound = MappingProxyType({})
     """Evaluate a tree; `meaning` gives the value of a symbol, with its arguments if it has any.
 
     Raises `UndefinedError` where there is no real value, `NotEvaluatedError` where none is found.
+    Works to 60 digits, or to as many as mpmath is set to if those are more.
     """
     if isinstance(node, tree.Name | tree.Applied):
         return meaning(node, bound)
@@ -56,11 +57,16 @@ def value(node: tree.Node, meaning: Meaning, bound: Bound = MappingProxyType({})
     if type(node) not in _RULES:
         raise NotEvaluatedError(f"{type(node).__name__} has no value")
     parts = [value(part, meaning, bound) for part in tree.children(node)]
-    with mp.workdps(DIGITS):
+    with mp.workdps(precision()):
         try:
             return _real(_RULES[type(node)](node, parts))
         except (ZeroDivisionError, ValueError, TypeError, IndexError) as error:
             raise UndefinedError(str(error)) from None
+
+
+def precision() -> int:
+    """Return the number of digits that is worked to."""
+    return max(DIGITS, int(mp.dps))
 
 
 def _over_range(node: tree.Integral, meaning: Meaning, bound: Bound) -> Value:
@@ -71,7 +77,7 @@ def _over_range(node: tree.Integral, meaning: Meaning, bound: Bound) -> Value:
 
 def integral(integrand: Callable[[Value], Value], lower: Value, upper: Value) -> Value:
     """Integrate a smooth function; raises `NotEvaluatedError` where its digits do not settle."""
-    with mp.workdps(DIGITS):
+    with mp.workdps(precision()):
         middle, half = (lower + upper) / 2, (upper - lower) / 2
         before = mp.inf
         for count in RULES:
@@ -111,7 +117,7 @@ def known_value(known: Any, point: Mapping[Symbol, Any], seed: int = 0) -> Value
 
     The polynomials of unknown functions are those of a seed.
     """
-    with mp.workdps(DIGITS):
+    with mp.workdps(precision()):
         if isinstance(known, MatrixBase):
             rows = known.tolist()
             return mp.matrix([[_digits(entry, point, seed) for entry in row] for row in rows])
@@ -121,7 +127,7 @@ def known_value(known: Any, point: Mapping[Symbol, Any], seed: int = 0) -> Value
 def _digits(expression: Any, point: Mapping[Symbol, Any], seed: int) -> Value:
     if expression.has(AppliedUndef, Integral):
         expression = _without_functions(expression, point, seed)
-    found = expression.evalf(DIGITS, subs=dict(point), maxn=400)
+    found = expression.evalf(precision(), subs=dict(point), maxn=400 + precision())
     if found.is_Float or found.is_Rational:
         return mp.mpf(found if found.is_Float else str(found))
     # Where SymPy gives up at `maxn` digits, it returns an expression: that may well be a number.
@@ -154,7 +160,7 @@ def _quadrature(outer: Integral, point: Mapping[Symbol, Any], seed: int) -> Valu
 
 def number(item: Value) -> Float:
     """Give a value to SymPy, with all its digits."""
-    return Float(item, DIGITS)
+    return Float(item, precision())
 
 
 @cache
@@ -172,9 +178,13 @@ def are_equal(one: Value, other: Value) -> bool:
     if _shape(one) != _shape(other):
         return False
     pairs = zip(_entries(one), _entries(other), strict=True)
-    with mp.workdps(DIGITS):
-        bound = mp.mpf(10) ** -AGREED
-        return all(abs(a - b) <= bound * (1 + abs(a) + abs(b)) for a, b in pairs)
+    with mp.workdps(precision()):
+        return all(abs(a - b) <= _noise() * (1 + abs(a) + abs(b)) for a, b in pairs)
+
+
+def _noise() -> Value:
+    """What may be left of 0 after cancellation; nothing as small is told from it."""
+    return mp.mpf(10) ** (precision() // LOST - precision())
 
 
 def _shape(item: Value) -> tuple[int, int]:
@@ -189,6 +199,43 @@ def _real(item: Value) -> Value:
     if any(mp.im(entry) != 0 or not mp.isfinite(entry) for entry in _entries(item)):
         raise UndefinedError("no real value")
     return item
+
+
+def _over(above: Value, below: Value) -> Value:
+    if _shape(below) != (1, 1):
+        raise UndefinedError("cannot divide by a matrix")
+    if abs(below) <= _noise():
+        raise UndefinedError("a division by 0")
+    return above / below
+
+
+def _power(base: Value, exponent: int) -> Value:
+    if exponent >= 0:
+        return base**exponent
+    if isinstance(base, mp.matrix) and abs(mp.det(base)) <= _noise():
+        raise UndefinedError("a singular matrix has no inverse")
+    return base**exponent if isinstance(base, mp.matrix) else _over(mp.mpf(1), base) ** -exponent
+
+
+def _root(radicand: Value) -> Value:
+    """The root of what is not told from 0 is 0: half of its digits would be lost."""
+    return mp.mpf(0) if abs(radicand) <= _noise() else mp.sqrt(radicand)
+
+
+def _within_one(function: Callable[[Value], Value]) -> Callable[[Value], Value]:
+    """Let an inverse function take what is not told from the end of its domain."""
+
+    def rule(argument: Value) -> Value:
+        beyond = abs(argument) - 1
+        return function(mp.sign(argument) if 0 < beyond <= _noise() else argument)
+
+    return rule
+
+
+def _angle(ordinate: Value, abscissa: Value) -> Value:
+    if max(abs(ordinate), abs(abscissa)) <= _noise():
+        raise UndefinedError("the origin has no direction")
+    return mp.atan2(ordinate, abscissa)
 
 
 def _times(left: Value, right: Value) -> Value:
@@ -254,7 +301,7 @@ def _matrix(node: tree.MatrixLiteral, parts: Sequence[Value]) -> Value:
 
 def _call(node: tree.Call, parts: Sequence[Value]) -> Value:
     if node.function == "atan2":
-        return mp.atan2(*parts[0])
+        return _angle(*parts[0])
     return _FUNCTIONS[node.function](parts[0])
 
 
@@ -264,8 +311,11 @@ def _component(node: tree.Component, parts: Sequence[Value]) -> Value:
 
 
 _FUNCTIONS: dict[str, Callable[[Value], Value]] = {
-    "sin": mp.sin, "cos": mp.cos, "tan": mp.tan, "cot": mp.cot, "sec": mp.sec, "csc": mp.csc,
-    "arcsin": mp.asin, "arccos": mp.acos, "arctan": mp.atan, "sqrt": mp.sqrt, "det": mp.det,
+    "sin": mp.sin, "cos": mp.cos,
+    "tan": lambda x: _over(mp.sin(x), mp.cos(x)), "cot": lambda x: _over(mp.cos(x), mp.sin(x)),
+    "sec": lambda x: _over(mp.mpf(1), mp.cos(x)), "csc": lambda x: _over(mp.mpf(1), mp.sin(x)),
+    "arcsin": _within_one(mp.asin), "arccos": _within_one(mp.acos), "arctan": mp.atan,
+    "sqrt": _root, "det": mp.det,
 }  # fmt: skip
 
 _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Value]], Value]] = {
@@ -277,14 +327,14 @@ _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Value]], Value]] = {
     tree.Product: lambda node, parts: reduce(_times, parts),
     tree.Dot: lambda node, parts: _dot(*parts),
     tree.Cross: lambda node, parts: _cross(*parts),
-    tree.Quotient: lambda node, parts: parts[0] / parts[1],
-    tree.Power: lambda node, parts: parts[0] ** node.exponent,
+    tree.Quotient: lambda node, parts: _over(*parts),
+    tree.Power: lambda node, parts: _power(parts[0], node.exponent),
     tree.Transpose: lambda node, parts: (
         parts[0] if isinstance(node.operand, tree.Tuple) else parts[0].T
     ),
     tree.Call: _call,
     tree.Inner: lambda node, parts: _inner(*parts),
-    tree.Norm: lambda node, parts: mp.sqrt(sum(entry**2 for entry in _entries(parts[0]))),
+    tree.Norm: lambda node, parts: _root(sum(entry**2 for entry in _entries(parts[0]))),
     tree.Absolute: lambda node, parts: abs(parts[0]),
     tree.Determinant: lambda node, parts: mp.det(_grid([[_column(part) for part in parts]])),
     tree.Component: _component,

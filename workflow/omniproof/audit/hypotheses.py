@@ -90,7 +90,9 @@ def interior(domain: Domain) -> Domain:
     Conditions that leave no interior leave no point to look at either, and so prove nothing.
     """
     strict = {sp.GreaterThan: sp.StrictGreaterThan, sp.LessThan: sp.StrictLessThan}
-    inside = (strict.get(type(each), type(each))(*each.args) for each in domain.conditions)
+    inside = (
+        strict.get(type(each), type(each))(*each.args, evaluate=False) for each in domain.conditions
+    )
     return Domain(domain.intervals, tuple(inside))
 
 

@@ -15,10 +15,12 @@ from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.mending import Mended, mend
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
+from omniproof.audit.voice import Voice
 from omniproof.registry import Modelled
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
-from omniproof.transcription.tree import Span
+from omniproof.transcription.reader import read_with
+from omniproof.transcription.tree import Node, Span
 
 MOST_SHOWN = 2
 """Other edits that a note shows: a reader compares no more."""
@@ -30,6 +32,7 @@ class Cell:
 
     `places` says which part of the text each side is; for the entry of a matrix that is the text.
     `factor` stands before a printed matrix: it belongs to the sides, and not to the text.
+    `nodes` are the printed sides, and `index` says which entry of them this is.
     `premises` is what the paper's own premises give, where mechanics contradicts one: the `gap`.
     """
 
@@ -38,6 +41,8 @@ class Cell:
     places: tuple[Span, ...]
     sides: tuple[Any, ...]
     derived: Any
+    nodes: tuple[Node, ...]
+    index: tuple[int, ...] = ()
     factor: Any = 1
     domain: Domain = REALS
     premises: Any = None
@@ -46,7 +51,8 @@ class Cell:
 
 def judge_identity(claim: Claim, context: Context) -> list[Row]:
     """Judge a printed formula; a matrix gives a row for each entry."""
-    return [_judge_cell(cell, claim, context) for cell in _cells(claim, context)]
+    voice = Voice(claim.id, context)
+    return [_judge_cell(cell, claim, context, voice) for cell in _cells(claim, context)]
 
 
 def count_faults(claim: Claim, context: Context) -> int:
@@ -79,22 +85,27 @@ def _printed_cells(claim: Claim, context: Context, derived: Any) -> Iterator[Cel
     values = tuple(context.evaluate(claim.id, node) for node in nodes)
     text = context.printed(claim.id)
     if not isinstance(derived, MatrixBase):
-        yield Cell(claim.id, text, tuple(node.span for node in nodes), values, derived)
+        spans = tuple(node.span for node in nodes)
+        yield Cell(claim.id, text, spans, values, derived, nodes)
         return
     for index, entry in entries(derived).items():
         sides = tuple(entries(value)[index] for value in values)
         name = f"{claim.id}[{','.join(map(str, index))}]"
         verbatim = entry_source(text, context.loaded.trees[claim.id], index)
         if verbatim is None:
-            yield Cell(name, text, tuple(node.span for node in nodes), sides, entry)
+            spans = tuple(node.span for node in nodes)
+            yield Cell(name, text, spans, sides, entry, nodes, index)
             continue
         value = context.value(verbatim, claim.id)
         factor = 1 if value == 0 else sides[-1] / value
-        yield Cell(name, verbatim, ((0, len(verbatim)),) * len(sides), sides, entry, factor)
+        spans = ((0, len(verbatim)),) * len(sides)
+        yield Cell(name, verbatim, spans, sides, entry, nodes, index, factor)
 
 
-def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
+def _judge_cell(cell: Cell, claim: Claim, context: Context, voice: Voice) -> Row:
     answer, place = _compare(cell)
+    for node in cell.nodes if isinstance(answer, Proved) else cell.nodes[place : place + 1]:
+        answer = voice.equal(answer, node, cell.index, cell.derived)
     shown = {"printed": cell.text, "derived": context.spelling.latex(cell.derived / cell.factor)}
     row = answered(start(claim, context, cell.id).model_copy(update=shown), answer, context)
     if row.verdict is not Verdict.ERRATUM:
@@ -103,7 +114,7 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context) -> Row:
         fields = {"verdict": Verdict.MODEL_GAP, "repair": Repair.MANUAL}
         row = row.model_copy(update={"correction": row.derived, "assumption": cell.gap, **fields})
         return with_note(row, "It follows from a premise that mechanics contradicts")
-    mended = _mend(cell, place, claim.id, context)
+    mended = _mend(cell, place, claim.id, context, voice)
     if mended:
         row = row.model_copy(update={"correction": mended.text, "repair": mended.grade})
         return with_note(row, _rivals(mended.others))
@@ -139,8 +150,12 @@ def _follows_from_premises(cell: Cell) -> bool:
     )
 
 
-def _mend(cell: Cell, place: int, claim: str, context: Context) -> Mended | None:
+def _mend(cell: Cell, place: int, claim: str, context: Context, voice: Voice) -> Mended | None:
     """Return the printed text with the least edit that makes the side at `place` true, if any."""
     begin, end = cell.places[place]
     found = mend(cell.text[begin:end], cell.derived, claim, context, cell.factor)
-    return found and found.inside(cell.text[:begin], cell.text[end:])
+    if found is None:
+        return None
+    corrected = read_with(found.text, context.loaded.paper.notation, context.names)
+    voice.equal(Proved(("flint",)), corrected, (), cell.derived / cell.factor)
+    return found.inside(cell.text[:begin], cell.text[end:])

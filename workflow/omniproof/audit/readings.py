@@ -6,9 +6,11 @@ from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
 
-from pydantic import BaseModel, ConfigDict, TypeAdapter
+from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
 from omniproof.audit.ledger import Verdict
+from omniproof.transcription.faults import BadInput
+from omniproof.transcription.messages import model_fault
 from omniproof.transcription.paperfile import load_document
 
 
@@ -30,4 +32,10 @@ def load_readings(paper: str) -> dict[str, Read]:
     path = Path(str(files(package).joinpath("readings.yaml")))
     if not path.exists():
         return {}
-    return TypeAdapter(dict[str, Read]).validate_python(load_document(path).values)
+    document = load_document(path)
+    try:
+        return TypeAdapter(dict[str, Read]).validate_python(document.values)
+    except ValidationError as error:
+        raise BadInput(
+            model_fault(dict(item), document) for item in error.errors(include_url=False)
+        ) from None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -10,10 +11,12 @@ import numpy as np
 from omniproof.audit.answer import Proved
 from omniproof.audit.approximate import ShapeError, Values, at_points, evaluate
 from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.definitions import parts
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair
 from omniproof.audit.setting import Assumptions, Setting
 from omniproof.audit.statement import links
+from omniproof.audit.unclear import refuse_unclear
 from omniproof.audit.zero_test import decide_equal
 from omniproof.transcription import expression, tree
 from omniproof.transcription.tokens import LatexError
@@ -23,6 +26,8 @@ def remedies(
     printed: str, node: tree.Node, assumptions: Assumptions, setting: Setting
 ) -> tuple[Repair, ...]:
     """Return the edits that make an equation true under its assumptions, the likeliest first.
+
+    `node` is what of the equation is judged: a definition has no repair.
 
     Among edits of one kind, those behind the first equals sign lead: what stands before it is what
     a formula is about. Of edits that give one formula in two spellings, the likelier one is kept.
@@ -37,10 +42,10 @@ def remedies(
 
     def is_true(text: str) -> bool:
         try:
-            parts = links(assumptions.read(text), value, text)
+            steps = links(_judged(text, assumptions), value, text)
         except (LatexError, UnsupportedError):
             return False
-        answers = (decide_equal(part.left, part.right, setting.domain) for part in parts)
+        answers = (decide_equal(step.left, step.right, setting.domain) for step in steps)
         return all(isinstance(answer, Proved) for answer in answers)
 
     quick = _quick_look(node, assumptions, setting.meanings)
@@ -48,6 +53,15 @@ def remedies(
     begin = tree.children(node)[0].span[1]
     ranked = sorted(found, key=lambda edit: (edit.kind, edit.span[0] < begin))
     return tuple(_unlike(ranked, assumptions))
+
+
+def _judged(text: str, assumptions: Assumptions) -> tree.Node:
+    """Read what of a text is judged; raises `LatexError` where there is nothing, or no one way."""
+    rest = parts(assumptions.read(text)).rest
+    if rest is None:
+        raise LatexError("nothing to prove", text, (0, len(text)))
+    refuse_unclear(rest, text, assumptions.functions)
+    return rest
 
 
 def _quick_look(
@@ -69,7 +83,7 @@ def _quick_look(
     if not np.isfinite(gaps).any():
         return None
     target = np.where(np.isfinite(gaps), 0.0, np.nan)
-    return QuickLook(assumptions.read, meaning, target)
+    return QuickLook(partial(_judged, assumptions=assumptions), meaning, target)
 
 
 def _unlike(found: Sequence[Repair], assumptions: Assumptions) -> Iterator[Repair]:

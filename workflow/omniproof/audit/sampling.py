@@ -17,6 +17,7 @@ from flint import fmpq
 from omniproof.audit.answer import REALS, Domain
 from omniproof.audit.balls import (
     UnsupportedError,
+    as_float,
     evaluate,
     exact_number,
     rational_ball,
@@ -97,7 +98,7 @@ class _Range:
         self.low, self.high = evaluate(lower), evaluate(upper)
         if not self.low < self.high:
             raise UnsupportedError(f"the interval ({lower}, {upper}) is empty")
-        self.left, self.right = float(self.low.mid()), float(self.high.mid())
+        self.left, self.right = as_float(self.low), as_float(self.high)
 
     def draw(self, generator: random.Random) -> fmpq:
         """Pick a rational that is certain to lie strictly inside; zero is avoided."""

@@ -1,7 +1,7 @@
 r"""What may be assumed of the symbols of one formula: their names, signs and ranges.
 
 Nothing declares the symbols of a formula from the command line, so every symbol met is a free real
-number. What would then be read wrongly in silence (`e`, `i`, `\det A` of an unknown A) is refused.
+number. What would then be read wrongly in silence is refused, see `unclear`.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from omniproof.audit.answer import Domain
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.exact import sign, subtract
 from omniproof.transcription import tree
+from omniproof.transcription.conventions import ALONE, Conventions
 from omniproof.transcription.expression import evaluate
-from omniproof.transcription.reader import Conventions, Names, read_with, symbol_name
+from omniproof.transcription.reader import read_with, symbol_name
+from omniproof.transcription.readings import Reading, readings
 from omniproof.transcription.tokens import FUNCTIONS, LatexError
 
 REAL_LINE = (-sp.oo, sp.oo)
-CONSTANTS = {
-    "e": "`e` may be Euler's number or a symbol",
-    "i": "`i` may be the imaginary unit or a symbol",
-}
+LARGEST_BOUND = sp.Integer(10) ** 300
+"""Samples are drawn between floats, which end at 10^308."""
 _ACCENT = re.compile(r"^\\(?:wide)?(hat|bar|tilde|dot|ddot|vec)\{(\\?[A-Za-z]+)\}")
 _PLAIN = re.compile("[A-Za-z][A-Za-z0-9]*(?:__?[A-Za-z0-9]+)*")
 
@@ -45,13 +45,20 @@ class Assumptions:
     slash: str | None = None
 
     def read(self, text: str) -> tree.Node:
-        """Read a formula with these conventions; raises `LatexError`."""
+        """Read a formula in the usual way with these conventions; raises `LatexError`."""
+        return read_with(text, self._conventions(), ALONE, {})
+
+    def readings(self, text: str) -> tuple[tuple[Reading, ...], bool]:
+        """Read a formula in every way, as `reader.readings` does; raises `LatexError`."""
+        return readings(text, self._conventions(), ALONE)
+
+    def _conventions(self) -> Conventions:
         for short, function in self.functions.items():
             if function not in FUNCTIONS:
                 near = get_close_matches(function, FUNCTIONS, n=1) or ["cos"]
                 _refuse(f"{short}={function}", f"the function `{function}` is not read",
                         f"did you mean `{short}={near[0]}`?")  # fmt: skip
-        return read_with(text, Conventions(self.functions, self.slash), Names())
+        return Conventions(self.functions, self.slash)
 
 
 @dataclass(frozen=True)
@@ -62,32 +69,17 @@ class Setting:
     domain: Domain
 
 
-def settle(text: str, node: tree.Node, assumptions: Assumptions) -> Setting:
+def settle(node: tree.Node, assumptions: Assumptions) -> Setting:
     """Give each symbol of a formula its sign and range.
 
-    Raises `LatexError` for a symbol that cannot be a free real number, and for an assumption that
-    cannot be read, is empty, or is about a symbol that the formula does not have.
+    Raises `LatexError` for an assumption that cannot be read, is empty, or is about a symbol that
+    the formula does not have.
     """
-    for item in tree.walk(node):
-        if isinstance(item, tree.Name):
-            _refuse_if_unclear(item, text, assumptions.functions)
     found = sorted(tree.names(node))
     ranges = _ranges(found, assumptions)
     spelled = _spell(found)
     meanings = {name: _symbol(spelled[name], *ranges.get(name, REAL_LINE)) for name in found}
     return Setting(meanings, Domain({spelled[name]: range_ for name, range_ in ranges.items()}))
-
-
-def _refuse_if_unclear(item: tree.Name, text: str, functions: Mapping[str, str]) -> None:
-    if item.name in CONSTANTS:
-        cure = f"give a symbol an index: `{item.name}_1`; exponentials and complex numbers are not "
-        raise LatexError(CONSTANTS[item.name], text, item.span, f"{cure}read")
-    if item.name in functions:
-        message = f"`{item.name}` stands for `\\{functions[item.name]}`, and here for a symbol"
-        raise LatexError(message, text, item.span, f"write `{item.name}(…)` for the function")
-    if item.name.startswith("\\det "):
-        message = f"`{item.name}` needs the entries of the matrix"
-        raise LatexError(message, text, item.span, "write the matrix out")
 
 
 def _symbol(name: str, lower: Any, upper: Any) -> sp.Symbol:
@@ -143,7 +135,8 @@ def _limits(assumptions: Assumptions) -> Iterator[tuple[str, Any, Any, str]]:
         yield symbol_name(text), sp.Integer(0), sp.oo, text
     for text in assumptions.between:
         node = assumptions.read(text)
-        parts = node.operands if isinstance(node, tree.Logic) else (node,)
+        together = isinstance(node, tree.Logic) and node.operator == "and"
+        parts = tree.children(node) if together else (node,)
         for part in parts:
             yield *_limit(part, text), text
 
@@ -168,8 +161,11 @@ def _bound(node: tree.Node, text: str) -> Any:
     value = evaluate(node, {}, text)
     try:
         sign(value)
+        within_reach = sign(subtract(LARGEST_BOUND, sp.Abs(value))) > 0
     except UnsupportedError as reason:
         _refuse(text, f"expected a number as the end of a range: {reason}", "write `0 < x < 1`")
+    if not within_reach:
+        _refuse(text, "expected a number below 10^300 as the end of a range", "leave the end out")
     return value
 
 

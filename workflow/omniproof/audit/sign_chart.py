@@ -18,7 +18,7 @@ from typing import Any
 import sympy as sp
 from flint import arb, ctx
 
-from omniproof.audit.balls import Program, UnsupportedError, compile_balls, evaluate
+from omniproof.audit.balls import Program, UnsupportedError, as_float, compile_balls, evaluate
 from omniproof.audit.box import Box
 from omniproof.audit.exact import vanishes
 from omniproof.audit.positivity import Positive, prove_positive
@@ -75,7 +75,7 @@ def _recognise(function: sp.Expr, symbol: sp.Symbol, place: float) -> Any:
 def _zeros(function: sp.Expr, box: Box) -> list[float]:
     """Approximate the zeros inside: changes of sign, and places where |f| is nearly zero."""
     program = compile_balls([function], box.symbols)
-    lower, upper = (float(evaluate(end).mid()) for end in box.sides[0])
+    lower, upper = (as_float(evaluate(end)) for end in box.sides[0])
     places = [lower + (upper - lower) * (k + 0.382) / GRID for k in range(GRID)]
     values = [_value(program, place) for place in places]
     zeros = []

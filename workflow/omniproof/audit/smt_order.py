@@ -84,7 +84,8 @@ def find_point(
 
 class _Search(Translation):
     def __init__(self, signs: Sequence[tuple[sp.Expr, str]], region: Region) -> None:
-        super().__init__(*(formula for formula, _ in signs))
+        stated = (condition.lhs - condition.rhs for condition in region.conditions)
+        super().__init__(*(formula for formula, _ in signs), *stated)
         self.region = region
         self.exact = True
         self.roots: dict[tuple[sp.Expr, int], Fraction] = {}

@@ -22,12 +22,17 @@ Evaluate: TypeAlias = Callable[[tree.Node], Any]
 
 @dataclass(frozen=True)
 class Link:
-    """Two numbers and how they are said to be related; `place` names step and entry."""
+    """Two numbers and how they are said to be related; `place` names step and entry.
+
+    `printed` are the sides as they are printed, of which these are the entries at `index`.
+    """
 
     left: sp.Expr
     operator: str
     right: sp.Expr
     place: str = ""
+    printed: tuple[tree.Node, ...] = ()
+    index: tuple[int, int] = (0, 0)
 
 
 @dataclass(frozen=True)
@@ -79,9 +84,10 @@ def _entries(step: _Step, name: str, value: Evaluate, text: str) -> Iterator[Lin
     left, right = value(step.left), value(step.right)
     if not all(isinstance(side, sp.Expr | sp.MatrixBase) for side in (left, right)):
         raise UnsupportedError("only numbers, vectors and matrices are compared here")
+    printed = step.left, step.right
     shapes: list[Any] = [getattr(side, "shape", ()) for side in (left, right)]
     if shapes == [(), ()]:
-        yield Link(left, step.operator, right, name)
+        yield Link(left, step.operator, right, name, printed)
         return
     whole = tree.Node(span=(step.left.span[0], step.right.span[1]))
     if step.operator != "=":
@@ -91,7 +97,7 @@ def _entries(step: _Step, name: str, value: Evaluate, text: str) -> Iterator[Lin
         _refuse(whole, text, f"expected sides of one shape, found {found}", "")
     for index, entry in _places(shapes[0]):
         place = f"{entry} of {name}" if name else entry
-        yield Link(left[index], step.operator, right[index], place)
+        yield Link(left[index], step.operator, right[index], place, printed, index)
 
 
 def _places(shape: tuple[int, int]) -> Iterator[tuple[tuple[int, int], str]]:

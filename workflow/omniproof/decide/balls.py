@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any, TypeAlias
 
 from flint import arb, arb_series, ctx, fmpq
@@ -86,6 +87,14 @@ def enclose(term: Term, point: Mapping[str, Any] | None = None, precision: int =
     program = compile_balls([term], tuple(point))
     with ctx.workprec(precision):
         return program.run([rational_ball(value) for value in point.values()])[0]
+
+
+def as_float(ball: Ball) -> float:
+    """Return the middle of a ball; raises `UnsupportedError` for one that floats do not reach."""
+    middle = float(ball.mid())
+    if not isfinite(middle):
+        raise UnsupportedError("it contains numbers beyond 10^308")
+    return middle
 
 
 def format_ball(ball: Ball, digits: int = 4) -> str:

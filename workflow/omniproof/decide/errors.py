@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+MAX_REASON = 300
+"""So many characters of a reason are shown."""
+
 
 class UnsupportedError(Exception):
     """An engine is asked for what it cannot do; public functions turn it into `Undecided`."""
+
+    def __str__(self) -> str:
+        """The reason, cut where it quotes a number of thousands of digits."""
+        reason = super().__str__()
+        return reason if len(reason) <= MAX_REASON else f"{reason[: MAX_REASON - 1]}…"
 
 
 class WorkLimitError(UnsupportedError):

@@ -181,5 +181,32 @@ _BUILT: dict[type[Term], Callable[..., Any]] = {
     Sum: lambda term, *parts: sp.Add(*parts),
     Product: lambda term, *parts: reduce(mul, parts),
     Power: lambda term, base: base**term.exponent,
-    Call: lambda term, *parts: FUNCTIONS.get(term.function, sp.Function(term.function))(*parts),
+    Call: lambda term, *parts: _applied(term.function, *parts),
 }
+
+
+def _applied(function: str, *arguments: Any) -> Any:
+    """Apply a function, and keep SymPy from a wrong idea of its sign where that is a number.
+
+    SymPy tells the signs of most functions from two digits: an arc cosine near 0 is 0 for it, and a
+    cotangent near a pole may be on the wrong side. Sine, cosine and arc sine are told to the end.
+    """
+    value = FUNCTIONS.get(function, sp.Function(function))(*arguments)
+    if any(argument.free_symbols for argument in arguments):
+        return value
+    if isinstance(value, sp.acos) and value.is_zero:
+        return sp.pi / 2 - sp.asin(*arguments)
+    if function in _QUOTIENTS and value.has(FUNCTIONS[function]):
+        above, below = _QUOTIENTS[function]
+        return above(*arguments) / below(*arguments)
+    return value
+
+
+def _one(_argument: Any) -> Any:
+    return sp.S.One
+
+
+_QUOTIENTS: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
+    "tan": (sp.sin, sp.cos), "cot": (sp.cos, sp.sin),
+    "sec": (_one, sp.cos), "csc": (_one, sp.sin),
+}  # fmt: skip

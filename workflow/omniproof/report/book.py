@@ -16,11 +16,14 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, read_json, schema
+from omniproof.recovery import list_files
 from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
 from omniproof.report.theme import stylesheet
 
-DATA = ("ledger.csv", "theorems.json", "tables", "figures", "simulation", "corrigenda")
+DATA = (
+    "ledger.csv", "theorems.json", "tables", "figures", "simulation", "corrigenda", "notebooks",
+)  # fmt: skip
 """What the site offers for download, as it lies in the folder of results."""
 
 
@@ -79,6 +82,8 @@ def _stage_data(results: Path, extra: Path) -> None:
 def build(source: Path, html: Path) -> None:
     """Build the pages of a staged book into the folder `html`, warnings being errors.
 
+    `files.txt` beside it lists them, so that a lost one is noticed.
+
     Raises `BookError` with the warnings and errors of the build; `html` is then as it was.
     """
     work = html.parent / ".work"
@@ -90,7 +95,9 @@ def build(source: Path, html: Path) -> None:
     if run.returncode or not (pages / "index.html").is_file():
         raise BookError(_complaints(run.stdout + run.stderr, source))
     (pages / ".buildinfo").unlink(missing_ok=True)
-    shutil.rmtree(html, ignore_errors=True)
+    list_files(pages, html.parent / "files.txt")
+    if html.exists():
+        html.rename(work / "earlier")  # so that a report which stands is always a whole one
     pages.rename(html)
     shutil.rmtree(work)
 

@@ -1,4 +1,4 @@
-"""Read the cards of finished pages back: each fault has to say all that its ledger row knows.
+"""Read the cards of finished pages back: each has its note whole, a fault all that is known of it.
 
 A card is a list of terms (`dl.facts`) inside an element of class `claim`. What has to be in it
 follows from the row: a correction wants "should read", a witness "counterexample", and so on. The
@@ -7,8 +7,10 @@ buttons (copy, dispute) are made by a script from the attributes of the list.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from html import unescape
 from html.parser import HTMLParser
 
 from omniproof.audit.ledger import Ledger, Row
@@ -16,6 +18,7 @@ from omniproof.report.anchors import anchor
 from omniproof.report.changes import changes
 from omniproof.report.code_pages import code_link
 from omniproof.report.derived import Derived
+from omniproof.report.fragments.base import note_html
 from omniproof.report.latexfmt import is_latex
 from omniproof.report.theme import MARKS
 from omniproof.transcription.model import Kind
@@ -31,6 +34,7 @@ TERMS: Mapping[str, str] = {
 }
 """Column of the ledger -> the term under which a card has it."""
 
+_TAG = re.compile(r"<[^>]*>")
 _VOID = frozenset({"br", "img", "input", "link", "meta", "hr", "col", "source", "wbr"})
 
 
@@ -107,13 +111,23 @@ class Cards(HTMLParser):
 
 
 def card_faults(page: str, text: str, ledger: Ledger, derived: Derived) -> Iterator[str]:
-    """Name everything that the card of a faulty row lacks, as `page: claim: what`."""
+    """Name everything that the card of a row lacks, as `page: claim lacks what`.
+
+    Every card has the whole note of its row; that of a faulty one has more.
+    """
     cards = Cards(text).cards
     for row in ledger.rows:
+        card = cards.get(f"#{anchor(row.id)}")
+        lacking = [] if card is None or _says(card, row.note) else ["its whole note"]
         if row.verdict.is_fault:
-            card = cards.get(f"#{anchor(row.id)}")
-            lacking = _lacking(row, card, derived) if card else ["a card"]
-            yield from (f"{page}: {row.id} lacks {what}" for what in lacking)
+            lacking += _lacking(row, card, derived) if card else ["a card"]
+        yield from (f"{page}: {row.id} lacks {what}" for what in lacking)
+
+
+def _says(card: Card, note: str) -> bool:
+    """Whether a note stands on a card, word by word; blanks depend on the elements around."""
+    shown = unescape(_TAG.sub("", note_html(note, lambda _: None)))
+    return "".join(shown.split()) in "".join(card.words.split())
 
 
 def _lacking(row: Row, card: Card, derived: Derived) -> Iterator[str]:

@@ -12,16 +12,16 @@ COLOURS = {
     Finding.VERIFIED: 32,
     Finding.ERRATUM: 31,
     Finding.CONDITIONAL: 33,
+    Finding.DEFINITION: 36,
     Finding.UNDECIDED: 35,
     Finding.INVALID: 31,
 }
 """Colours of the verdicts, as terminals number them."""
 
 
-def check_text(result: CheckResult, width: int, *, colour: bool = False) -> str:
-    """Write a result for a terminal of `width` columns; only the verdict is coloured."""
-    verdict = result.verdict.upper()
-    lines = head(verdict, result.printed, width)
+def check_text(result: CheckResult, width: int) -> str:
+    """Write a result for a terminal of `width` columns; its first word is the verdict."""
+    lines = head(result.verdict.upper(), result.printed, width)
     details = {
         "holds for": result.condition,
         "witness": _witness(result.witness),
@@ -31,8 +31,6 @@ def check_text(result: CheckResult, width: int, *, colour: bool = False) -> str:
     }
     for name, text in details.items():
         lines += detail(name, text, width)
-    if colour:
-        lines[0] = lines[0].replace(verdict, f"\x1b[{COLOURS[result.verdict]}m{verdict}\x1b[0m", 1)
     return "\n".join(lines)
 
 

@@ -30,7 +30,6 @@ ACCESSIBLE: Final = "ua-1"  # tags, and words for every formula: Typst refuses a
 LONGEST_WITNESS = 4  # values; a longer one says less than its place in the report
 LONGEST_LINE = 150  # characters of LaTeX; a longer formula gets the full width
 _SYMBOL = re.compile(r"[A-Za-z]+_\w+")
-_RELATIVE = re.compile(r", relative error [-+.\de]*\d")
 _COUNT = "\n#context [#metadata(counter(page).final().first()) <pages>]"
 
 
@@ -202,9 +201,7 @@ def _named(names: str) -> str:
 def _reason(item: Item) -> str:
     """Return why the printed form is wrong: the note of the row, or its counterexample."""
     lead = item.lead
-    told = _RELATIVE.sub("", lead.note) if lead.kind is not Kind.IDENTITY else ""
-    if item.is_contradiction:
-        told = told.partition(" differs from ")[0]
+    told = lead.note if lead.kind is not Kind.IDENTITY else ""
     reason = inline(sentences(told), _refer) if told else _counterexample(lead)
     if lead.follows and lead.follows not in {row.id for row in item.rows}:
         return f"{reason} {inline(f'Follows from {lead.follows}.', _refer)}"

@@ -33,6 +33,7 @@ FORMATS: Mapping[str, str] = {
     ".svg": "image/svg+xml",
     ".pdf": "application/pdf",
     ".bib": "application/x-bibtex",
+    ".ipynb": "application/x-ipynb+json",
     ".js": "text/javascript",
 }
 ABOUT: Mapping[str, str] = {

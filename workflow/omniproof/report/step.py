@@ -16,6 +16,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+from omniproof.recovery import PART
 from omniproof.transcription.faults import BadInput
 
 MESSAGE = "---- message ----\n"
@@ -35,7 +36,7 @@ def step(snakemake: Any) -> Iterator[SimpleNamespace]:
     with (
         _printing_to(Path(snakemake.log[0])),
         _status_of_failure(),
-        tempfile.TemporaryDirectory(prefix=".part-", dir=finals[0].parent) as folder,
+        tempfile.TemporaryDirectory(prefix=PART, dir=finals[0].parent) as folder,
     ):
         yield SimpleNamespace(
             **{name: _staged(value, Path(folder)) for name, value in snakemake.output.items()}

@@ -5,6 +5,7 @@ A failed run names its parameters; `changed` takes them back in, so that it can 
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -16,7 +17,12 @@ from omniproof.simulation.engine import reporting
 from omniproof.simulation.engines import PACKAGES, USUAL, require
 from omniproof.simulation.files import SUMMARY, csv_text, recording_csv, summary_rows
 from omniproof.simulation.names import unknown
+from omniproof.transcription.faults import shorten
 
+NEVER_ZERO = frozenset({"duration", "step"})
+"""Parameters that time is counted in."""
+LONGEST_NUMBER = 30
+"""Characters of a number: more are no measurement, and may be beyond what floats reach."""
 WIDTH = 30
 """Characters of the bar that shows progress."""
 
@@ -54,11 +60,23 @@ def changed(case: Case, changes: Iterable[str]) -> Case:
         name, equals, value = change.partition("=")
         if not equals or name not in parameters:
             raise unknown("parameter as name=value", name, parameters)
-        try:
-            parameters[name] = type(parameters[name])(value)
-        except ValueError:
-            raise ValueError(f"expected a number for {name}, found {value!r}") from None
+        parameters[name] = _like(parameters[name], name, value)
     return replace(case, parameters=parameters)
+
+
+def _like(usual: float | str, name: str, text: str) -> float | str:
+    """Read a parameter of the kind that it has: words, or a number (no size is negative)."""
+    if isinstance(usual, str):
+        return text
+    try:
+        number = type(usual)(text if len(text) <= LONGEST_NUMBER else "too long")
+    except ValueError:
+        number = math.nan
+    if math.isfinite(number) and not number < 0 < usual and (number or name not in NEVER_ZERO):
+        return number
+    above = "above 0" if name in NEVER_ZERO else "from 0 on"
+    wanted = "a number" if math.isnan(number) or usual <= 0 else f"a finite number {above}"
+    raise ValueError(f"expected {wanted} for {name}, found {shorten(text)}")
 
 
 def on_engine(case: Case, engine: str) -> Case:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from difflib import get_close_matches
 
+from omniproof.transcription.faults import shorten
+
 
 class UnknownNameError(LookupError):
     """A model, a case, a parameter or an engine that there is none of."""
@@ -12,6 +14,7 @@ class UnknownNameError(LookupError):
 
 def unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
     """Return the error for a name that is none of those `known`, with the nearest one."""
-    close = get_close_matches(name, known, n=1)
+    known = list(known)
+    close = get_close_matches(name[:80], known, n=1)
     cure = f"did you mean `{close[0]}`?" if close else f"known: {', '.join(known)}"
-    return UnknownNameError(f"expected a {what}, found {name!r}\n    {cure}")
+    return UnknownNameError(f"expected a {what}, found {shorten(name)}\n    {cure}")

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import re
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 
+from omniproof.transcription.conventions import Names, Writing
 from omniproof.transcription.enclosed import EnclosedReader
 from omniproof.transcription.tokens import FUNCTIONS, MAX_DEPTH, LatexError, Token
 from omniproof.transcription.tree import (
@@ -27,29 +28,39 @@ from omniproof.transcription.tree import (
     Number,
     Pi,
     Power,
+    Product,
     Quotient,
     Tuple,
+    children,
 )
 
 INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
 PLAIN = (Name, Number, Degrees, Pi, Applied)
+SIMPLE = frozenset({"number", "symbol", "accent", "font"})
+PARTS = (Negative, Quotient, Power, Product)
+SPELLED = {
+    **{word: f"write `\\{word}` for the function" for word in FUNCTIONS},
+    "sqrt": r"write `\sqrt{…}` for the root",
+    "atan2": r"write `\operatorname{atan2}(y, x)` for the function",
+    **{f"a{word}": rf"write `\arc{word}` for the function" for word in INVERSES},
+    **dict.fromkeys(
+        ("log", "ln", "exp", "max", "min", "mod", "det", "arg", "sgn", "sign", "rank", "diag"),
+        "as a function it is not read; as a product, put blanks between the letters",
+    ),
+}  # fmt: skip
+"""Words that would be products of their letters, and what to write instead."""
+_E_NOTATION = re.compile(r"(?<=[0-9.])[eE][-+]?[0-9]")
 
 
 class AtomReader(EnclosedReader, ABC):
     """Reads atoms; the rules for sums and statements come from the reader above."""
 
-    def __init__(
-        self,
-        source: str,
-        declared: Collection[str],
-        quantities: Collection[str],
-        functions: Collection[str],
-        shorthands: Mapping[str, str],
-    ) -> None:
-        super().__init__(source, declared)
-        self.quantities = quantities
-        self.functions = functions
-        self.shorthands = shorthands
+    def __init__(self, source: str, names: Names, notation: Writing) -> None:
+        super().__init__(source, names.declared)
+        self.quantities, self.functions = names.quantities, names.functions
+        self.alone = names.alone
+        self.shorthands = notation.functions
+        self.called = 0  # where the last function starts
         self.depth = 0
         self.rules: dict[str, Callable[[int], Node]] = {
             "(": self.bracket, "[": self.bracket, "{": self.group, "\\{": self.braces,
@@ -97,9 +108,13 @@ class AtomReader(EnclosedReader, ABC):
         for circle in circles:
             if [self.peek(step).text for step in range(len(circle))] == circle:
                 self.place += len(circle)
+                if circle[0] == "^" and self.at("^"):  # LaTeX: "double superscript"
+                    self.expected("one exponent", r"write brackets: `(30^\circ)^2`")
                 return Degrees(token.text, span=self.since(token.span[0]))
         if self.peek().kind == "number":
             self.expected("a sign between two numbers", "write `\\cdot` between them")
+        if _E_NOTATION.match(self.source, token.span[1]):
+            self.expected("a number without `e`", r"write `\cdot 10^{…}` for a power of ten")
         if token.text.isdigit() and len(token.text.lstrip("0")) < len(token.text) > 1:
             cure = "write thousands without a comma"
             self.refuse("expected a number without zeros before it", token.span[0], cure)
@@ -124,7 +139,12 @@ class AtomReader(EnclosedReader, ABC):
             return self.function(word, start)
         name = self.symbol()
         span = self.since(start)
-        return self.applied(name, start) if self.at("(") else _pi(Name(name, span=span))
+        if self.alone and self.peek().kind == "number" and self.since(start)[1] == self.start:
+            cure = f"write `{name}_{self.peek().text}` for an index, or the number first"
+            self.take()
+            self.refuse("an index or a factor stands behind the symbol", start, cure)
+        called = self.at("(") and name != "\\pi"
+        return self.applied(name, start) if called else _pi(Name(name, span=span))
 
     def word(self) -> str:
         r"""The letters of `\mathrm{word}` ahead, empty when there is no such word."""
@@ -136,19 +156,21 @@ class AtomReader(EnclosedReader, ABC):
 
     def refuse_spelled_function(self, start: int) -> None:
         """Refuse `sin x`, which would be the product s i n x."""
-        for word in sorted(FUNCTIONS, key=len, reverse=True):
+        for word in sorted(SPELLED, key=len, reverse=True):
             if self.source.startswith(word, start) and not self.knows(word):
                 span = (start, start + len(word))
-                raise LatexError(f"`{word}` is a product of letters", self.source, span,
-                                 f"write `\\{word}` for the function")  # fmt: skip
+                raise LatexError(
+                    f"`{word}` is a product of letters", self.source, span, SPELLED[word]
+                )
 
     def applied(self, name: str, start: int) -> Node:
         """Tell the arguments of a quantity from a factor in brackets."""
         place, span = self.place, self.since(start)
         node = self.bracket(self.start)
         arguments = node.items if isinstance(node, Tuple) else (node,)
-        plain = all(_is_plain(argument) for argument in arguments)
-        if name in self.functions or (plain and name in self.quantities):
+        plain = isinstance(node, Tuple) if self.alone else False
+        plain = plain or all(_is_plain(argument) for argument in arguments)
+        if name in self.functions or (plain and (name in self.quantities or self.alone)):
             return Applied(name, arguments, span=self.since(start))
         if isinstance(node, Name):
             cure = f"declare `{name}` with `role: quantity`, or drop the brackets for a product"
@@ -177,9 +199,10 @@ class AtomReader(EnclosedReader, ABC):
         if len(token.text) == 1 or not token.text.isdigit():
             return token
         start, end = token.span
+        first = Token("number", token.text[0], (start, start + 1))
         rest = Token("number", token.text[1:], (start + 1, end))
-        self.tokens = (*self.tokens[: self.place], rest, *self.tokens[self.place :])
-        return Token("number", token.text[0], (start, start + 1))
+        self.tokens = (*self.tokens[: self.place - 1], first, rest, *self.tokens[self.place :])
+        return first
 
     def fraction(self, start: int) -> Node:
         r"""fraction = "\frac" part part."""
@@ -258,6 +281,7 @@ class AtomReader(EnclosedReader, ABC):
             if name not in INVERSES:
                 self.refuse(f"no inverse of `{name}` is read", start, "write it by `\\arctan`")
             name, exponent = INVERSES[name], 1
+        self.called = start
         call = Call(name, self.argument(name), span=self.since(start))
         return call if exponent == 1 else Power(call, exponent, span=call.span)
 
@@ -269,15 +293,9 @@ class AtomReader(EnclosedReader, ABC):
             self.refuse("expected a whole power", start, "write roots with `\\sqrt`")
         return int(script)
 
-    def argument(self, function: str) -> Node:
-        """argument = bracket | bars | juxtaposed."""
-        if self.at("(", "[", "{", "|", "\\|"):
-            return self.expression()
-        return self.juxtaposed(function)
-
     @abstractmethod
-    def juxtaposed(self, function: str) -> Node:
-        """Read the argument of a function without brackets."""
+    def argument(self, function: str) -> Node:
+        """Read the argument of a function."""
 
 
 FUNCTIONS_IN_WORDS = FUNCTIONS | {"atan2"}
@@ -288,10 +306,9 @@ def _pi(node: Name) -> Name | Pi:
 
 
 def _is_plain(node: Node) -> bool:
-    if isinstance(node, Negative):
-        return _is_plain(node.operand)
-    if isinstance(node, Quotient):
-        return _is_plain(node.numerator) and _is_plain(node.denominator)
+    """Whether a factor like this would need no brackets: no sum, no function."""
+    if isinstance(node, PARTS):
+        return all(map(_is_plain, children(node)))
     return isinstance(node, PLAIN)
 
 

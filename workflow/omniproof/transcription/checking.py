@@ -6,7 +6,7 @@ other entries are broken, so that one run shows everything there is to mend.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -25,6 +25,8 @@ from omniproof.transcription.tree import Comparison, Logic, Node, Tuple, names, 
 
 LISTS = frozenset({"latex", "agrees_with", "at", "assumes"})
 """Keys of a claim whose single value may be written without a list."""
+MOST_FAULTS = 200
+"""So many faults of shape are put into words; more are one fault, many times."""
 
 Entry = TypeVar("Entry", bound=BaseModel)
 
@@ -81,9 +83,9 @@ class Check:
         try:
             self.paper = Paper.model_validate(self.values)
         except ValidationError as error:
-            for item in error.errors(include_url=False):
-                self.faults.append(model_fault(dict(item), self.document))
-                bad.add(tuple(item["loc"][:2]))
+            errors = error.errors(include_url=False)
+            self.faults += [model_fault(dict(item), self.document) for item in errors[:MOST_FAULTS]]
+            bad = {tuple(item["loc"][:2]) for item in errors}
         self.claims = self.entries("claims", Claim, bad)
         if isinstance(self.values, dict) and not any(path[0] == "notation" for path in bad if path):
             self.notation = Notation.model_validate(self.values.get("notation", {}))
@@ -149,12 +151,12 @@ class Check:
             by_name.setdefault(symbol.name, i)
             if symbol.range:
                 self.read_range(i, name, symbol.range)
-        for i, symbol in symbols.items():
-            self.check_arguments(i, symbol)
-
-    def check_arguments(self, i: int, symbol: Symbol) -> None:
-        """What a quantity is a function of are declared variables."""
         variables = [s.latex for s in self.symbols.values() if s.role is not Role.QUANTITY]
+        for i, symbol in symbols.items():
+            self.check_arguments(i, symbol, variables)
+
+    def check_arguments(self, i: int, symbol: Symbol, variables: Sequence[str]) -> None:
+        """What a quantity is a function of are declared variables."""
         for k, latex in enumerate(symbol.of):
             if latex not in variables:
                 message = f"expected a variable among the symbols, found `{latex}`"
@@ -215,6 +217,7 @@ class Check:
                 self.points[claim.id] = tuple(point for point in points if point is not None)
 
             self.read_assumptions(i, claim, known)
+            self.read_about(i, claim)
 
     def check_decoding(self) -> None:
         """Where a table decodes the source, what is decoded names its piece of the source."""
@@ -237,6 +240,13 @@ class Check:
                 found.append(node)
         if claim.assumes:
             self.assumptions[claim.id] = tuple(found)
+
+    def read_about(self, i: int, claim: Claim) -> None:
+        """What a reference is about is one symbol."""
+        try:
+            symbol_name(claim.about or "L")
+        except LatexError as error:
+            self.latex_fault(("claims", i, "about"), error, (claim.about or "",))
 
     def read_range(self, i: int, name: str, text: str) -> None:
         """Read the range of a symbol: two numbers."""

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from omniproof.visible import one_line
+
 SHOWN = 50
 """So many faults are printed in full; a file with more is broken in one place, many times."""
 
@@ -26,8 +28,8 @@ class Fault:
 
     def __str__(self) -> str:
         """Write `file:line:column: path: message`, and the cure on a line of its own."""
-        place = f"{self.file}:{self.line}:{self.column}: "
-        path = f"{self.path}: " if self.path else ""
+        place = f"{one_line(self.file)}:{self.line}:{self.column}: "
+        path = f"{one_line(self.path)}: " if self.path else ""
         cure = f"\n    {self.cure}" if self.cure else ""
         return f"{place}{path}{self.message}{cure}"
 

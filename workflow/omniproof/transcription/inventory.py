@@ -15,10 +15,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.files import display_name, read_text
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Kind, Source
-from omniproof.transcription.paperfile import display_name, read_text
 
 PRINTED = frozenset({Kind.IDENTITY, Kind.VALUE, Kind.REFERENCE})
 COLUMNS = ["line", "item", "text", "claim", "reason"]

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from omniproof.transcription.checking import Check, Position, one_is_enough
 from omniproof.transcription.faults import BadInput, Fault
+from omniproof.transcription.files import refuse_no_folder
 from omniproof.transcription.model import Claim, Paper, Symbol
 from omniproof.transcription.paperfile import load_document
 from omniproof.transcription.tablefile import Cell
@@ -58,6 +59,7 @@ def load_sound_part(folder: Path) -> tuple[LoadedPaper, tuple[Fault, ...]]:
 
     Raises `BadInput` where nothing can be told of any entry: a file that cannot be read, no key.
     """
+    refuse_no_folder(folder)
     document = load_document(folder / FILE)
     check = Check(folder, document, one_is_enough(document.values))
     check.run()

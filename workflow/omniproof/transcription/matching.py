@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 
 from omniproof.transcription.faults import Fault
+from omniproof.transcription.files import display_name
 from omniproof.transcription.loader import FILE, LoadedPaper, Position
 from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Claim, Kind, Role
-from omniproof.transcription.paperfile import display_name
 
 DERIVED = frozenset({Kind.IDENTITY, Kind.VALUE, Kind.RELATION})
 

@@ -8,6 +8,7 @@ is also why `yaml.compose` does not serve: it follows aliases and recurses in C.
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,9 +17,12 @@ from typing import TypeAlias
 import yaml
 
 from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.files import display_name, read_text
+from omniproof.visible import acting
 
-MAX_BYTES = 2_000_000
 MAX_DEPTH = 12
+MAX_VALUES = 40_000
+"""Ten times as many as the longest of our papers has; each may be a fault with a message."""
 LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 Tree: TypeAlias = "str | list[Tree] | dict[str, Tree]"
@@ -43,32 +47,6 @@ class Document:
         return self.places.get(path, (1, 1))
 
 
-def display_name(path: Path) -> str:
-    """The path as messages show it: relative to where one stands, if it lies below."""
-    try:
-        return path.resolve().relative_to(Path.cwd()).as_posix()
-    except ValueError:
-        return path.as_posix()
-
-
-def read_text(path: Path) -> str:
-    """The text of a file in UTF-8; raises `BadInput` for a missing, huge or garbled one."""
-    name = display_name(path)
-    if not path.is_file():
-        raise BadInput([Fault(name, 1, 1, "", "expected a file, found none", "write it")])
-    if path.stat().st_size > MAX_BYTES:
-        found = f"expected at most {MAX_BYTES} bytes, found {path.stat().st_size}"
-        raise BadInput([Fault(name, 1, 1, "", found, "split the paper")])
-    raw = path.read_bytes()
-    try:
-        return raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        before = raw[: error.start]
-        line, column = before.count(b"\n") + 1, error.start - (before.rfind(b"\n") + 1) + 1
-        message = f"expected UTF-8, found the byte 0x{raw[error.start]:02x} at offset {error.start}"
-        raise BadInput([Fault(name, line, column, "", message, "save the file as UTF-8")]) from None
-
-
 def load_document(path: Path) -> Document:
     """Read a paper file; raises `BadInput` with everything in it that is refused."""
     name = display_name(path)
@@ -77,7 +55,7 @@ def load_document(path: Path) -> Document:
     try:
         for event in yaml.parse(text, Loader=LOADER):
             builder.add(event)
-            if len(builder.stack) > MAX_DEPTH or builder.documents > 1:
+            if len(builder.stack) > MAX_DEPTH or builder.documents > 1 or builder.is_full:
                 break
     except yaml.YAMLError as error:
         builder.faults.append(_syntax_fault(name, error, text))
@@ -137,6 +115,15 @@ class _Builder:
         elif isinstance(event, yaml.MappingEndEvent | yaml.SequenceEndEvent):
             self.stack.pop()
 
+    @property
+    def is_full(self) -> bool:
+        """Whether there are more values than any paper has; noted as a fault."""
+        full = len(self.places) > MAX_VALUES
+        if full:
+            message = f"expected at most {MAX_VALUES} values, found more"
+            self.faults = [Fault(self.name, 1, 1, "", message, "split the paper")]
+        return full
+
     def refuse(self, event: yaml.Event, place: Place) -> None:
         """Note what YAML would interpret."""
         for message, cure in self.refusals(event):
@@ -161,6 +148,9 @@ class _Builder:
         self.faults.append(Fault(self.name, *place, show_path(path), message, cure))
 
     def scalar(self, text: str, place: Place) -> None:
+        if found := acting(text):
+            name = f"U+{ord(found):04X} {unicodedata.name(found, 'a control character')}"
+            self.fault(place, f"expected text that can be seen, found {name}", "leave it out")
         top = self.stack[-1] if self.stack else None
         if top is None or not isinstance(top.value, dict) or top.key is not None:
             self.attach(text, place)

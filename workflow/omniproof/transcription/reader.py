@@ -10,10 +10,11 @@ unless the paper's `Notation` settles it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Literal, Protocol
+from dataclasses import replace
+from typing import Literal
 
-from omniproof.transcription.atoms import AtomReader
+from omniproof.transcription.arguments import ArgumentReader
+from omniproof.transcription.conventions import ALONE, Conventions, Names, Writing
 from omniproof.transcription.symbols import END, TRANSPOSE, symbol_name
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import (
@@ -37,36 +38,21 @@ from omniproof.transcription.tree import (
     Transpose,
 )
 
-__all__ = ["Conventions", "LatexError", "Names", "Writing", "read", "read_with", "symbol_name"]
+__all__ = [
+    "ALONE",
+    "Conventions",
+    "LatexError",
+    "Names",
+    "Reader",
+    "Writing",
+    "read",
+    "read_with",
+    "symbol_name",
+]
 
 COMPARISONS = frozenset({"<", ">", "\\leq", "\\geq", "\\neq"})
 RELATIONS = COMPARISONS | {"="}
 AXES = frozenset("xyz123456789")
-
-
-class Writing(Protocol):
-    """Conventions of writing: those of a paper (`model.Notation`), or of one formula."""
-
-    @property
-    def functions(self) -> Mapping[str, str]:
-        """Functions by the letter that is short for them: c for cos."""
-
-    @property
-    def slash(self) -> str | None:
-        """What `1/3L` divides by: the `first` factor or `all`; unknown if None."""
-
-    @property
-    def angles(self) -> str | None:
-        r"""The unit of 90 in `\cos(90 + \psi)`: `degrees`, or rad if None."""
-
-
-@dataclass(frozen=True)
-class Conventions:
-    """The conventions of one formula."""
-
-    functions: Mapping[str, str] = field(default_factory=dict)
-    slash: str | None = None
-    angles: str | None = None
 
 
 def read(
@@ -89,29 +75,25 @@ def read(
     return read_with(text, notation or Conventions(), Names(declared, applied, called))
 
 
-@dataclass(frozen=True)
-class Names:
-    """Canonical names of the declared symbols, and of those that may take or do take arguments."""
-
-    declared: frozenset[str] = frozenset()
-    quantities: frozenset[str] = frozenset()
-    functions: frozenset[str] = frozenset()
+def read_with(
+    text: str, notation: Writing, names: Names, reach: Mapping[int, int] | None = None
+) -> Node:
+    """Read a formula as `read` does, for symbols that are canonical already; `reach`: see there."""
+    return Reader(text, names, notation, reach).document()
 
 
-def read_with(text: str, notation: Writing, names: Names) -> Node:
-    """Read a formula as `read` does, for symbols that are canonical already."""
-    return Reader(text, names, notation).document()
-
-
-class Reader(AtomReader):
+class Reader(ArgumentReader):
     """Sums, products, powers and statements."""
 
-    def __init__(self, source: str, names: Names, notation: Writing) -> None:
-        super().__init__(
-            source, names.declared, names.quantities, names.functions, notation.functions
-        )
+    def __init__(
+        self,
+        source: str,
+        names: Names,
+        notation: Writing,
+        reach: Mapping[int, int] | None = None,
+    ) -> None:
+        super().__init__(source, names, notation, reach)
         self.slash, self.angles = notation.slash, notation.angles
-        self.bare = -1  # where the last function argument without brackets ended
 
     def document(self) -> Node:
         r"""document = statement {("," | "\\") statement} ["," | "."]."""
@@ -265,7 +247,7 @@ class Reader(AtomReader):
 
     def ambiguous_slash(self, above: Node, below: Node, start: int) -> None:
         r"""Refuse `1/3L` and `\sin x/2`."""
-        if self.at_atom():
+        if self.at_atom() or self.at("*", "\\cdot", "\\times"):
             self.take()
             self.refuse("it is not clear what the slash divides by", start, SLASH)
         if above.span[1] == self.bare and not isinstance(below, Call):
@@ -273,6 +255,9 @@ class Reader(AtomReader):
 
     def power(self) -> Node:
         """power = atom ["^" whole number | "^" "T" | "_" axis]."""
+        if self.place in self.ahead:
+            node, self.place = self.ahead[self.place]
+            return node
         start = self.start
         node = self.atom()
         if self.at("_") and self.tokens[self.place - 1].text in {")", "]"}:
@@ -307,22 +292,6 @@ class Reader(AtomReader):
         node = super().argument(function)
         return _in_degrees(node) if self.angles == "degrees" and isinstance(node, Sum) else node
 
-    def juxtaposed(self, function: str) -> Node:
-        r"""juxtaposed = {number | symbol | fraction | root}, as in `\sin 2\theta`."""
-        start = self.start
-        parts: list[Node] = []
-        while self.peek().kind == "number" or self.at_symbol() or self.at("\\frac", "\\sqrt"):
-            if parts and _closed(parts[-1]):
-                self.refuse(f"it is not clear where the argument of `\\{function}` ends", start,
-                            f"write `\\{function}(…)`")  # fmt: skip
-            parts.append(self.power())
-        if not parts:
-            self.expected(f"the argument of `\\{function}`", f"write `\\{function}(…)`")
-        self.bare = self.since(start)[1]
-        if isinstance(parts[-1], Number) and self.at_atom():
-            self.expected(f"the end of the argument of `\\{function}`", f"write `\\{function}(…)`")
-        return self.joined(parts, start)
-
     def related(self, sides: list[Node], operators: list[str], start: int) -> Node:
         """One side, a chain of equations, or comparisons joined by `and`."""
         if not operators:
@@ -351,13 +320,6 @@ def _in_degrees(node: Sum) -> Sum:
         return Degrees(part.text, span=part.span) if isinstance(part, Number) else part
 
     return replace(node, terms=tuple(term(part) for part in node.terms))
-
-
-def _closed(node: Node) -> bool:
-    r"""Whether a fraction or root ends an argument; `\frac{1}{2}\theta` goes on."""
-    if isinstance(node, Quotient):
-        return not all(isinstance(part, Number) for part in (node.numerator, node.denominator))
-    return isinstance(node, Call)
 
 
 def _distribute(items: list[Node]) -> tuple[Node, ...]:

@@ -21,6 +21,8 @@ _WORD = re.compile("[A-Za-z]{2,}")
 _WHOLE = re.compile("[-+]?[0-9]+")
 NO_SIGNS = frozenset({"text", "begin", "end"})
 TRANSPOSE = frozenset({"T", "t", "\\top"})
+DIFFERENCES = frozenset({"\\Delta", "\\delta", "\\mathrm{d}"})
+"""What makes one symbol of itself and the next one, unless it is declared."""
 
 
 class Cursor:
@@ -124,7 +126,13 @@ class SymbolReader(Cursor):
         return self.integrals > 0 and self.at("d") and self.peek(1).kind in {"symbol", "accent"}
 
     def symbol(self, word: bool = False) -> str:
-        r"""symbol = base {"'"} ["_" script] ["^" script]; `word`: letters may run together."""
+        r"""symbol = [difference] base {"'"} ["_" script] ["^" script].
+
+        `word`: letters may run together. difference = "\Delta" | "\delta" | "\mathrm{d}", unless it
+        is declared: the change of a quantity is one symbol, and no product.
+        """
+        if sign := self.difference():
+            return f"{sign} {self.symbol(word)}"
         name = self.base(word) + self.primes()
         if self.consume("_"):
             subscript = "_" + self.script()
@@ -154,6 +162,21 @@ class SymbolReader(Cursor):
                     self.place += 1
                 return known
         return token.text
+
+    def difference(self) -> str:
+        """Step over the sign of a difference or differential before a symbol."""
+        texts = [self.peek(step).text for step in range(4)]
+        sign, size = texts[0], 1
+        if sign == "\\mathrm":
+            size = {"d": 2, "{": 4}.get(texts[1], 0)
+            sign = "\\mathrm{d}" if "".join(texts[1:size]) in {"d", "{d}"} else ""
+        declared = sign in (self.declared or ())
+        if declared or sign not in DIFFERENCES:
+            return ""
+        if self.peek(size).kind not in {"symbol", "accent", "font"}:
+            return ""
+        self.place += size
+        return sign
 
     def content(self, outer: Token, word: bool) -> str:
         """content = "{" (symbol | word) "}" | base; a word in a font has to be declared."""

@@ -13,9 +13,9 @@ from io import StringIO
 from pathlib import Path
 
 from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.files import display_name, read_text
 from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Claim, Kind, Table
-from omniproof.transcription.paperfile import display_name, read_text
 
 INDEX = re.compile(r"[A-Za-z0-9_]+")
 DECIMAL = re.compile(r"[+-]?\d+(\.\d*)?")
@@ -117,6 +117,10 @@ def _rows(name: str, text: str) -> list[_Row]:
 def _check(rows: list[_Row]) -> Iterator[tuple[_Row, int, str, str]]:
     """Row, cell, message and cure of every fault."""
     header = rows[0]
+    if len(header.cells) == 1:
+        cure = "put a comma between any two cells"
+        yield header, 0, f"expected columns, found one: {shorten(header.cells[0])}", cure
+        return
     columns = [(header, place, name) for place, name in enumerate(header.cells) if place]
     yield from _check_names("column", columns)
     yield from _check_names("row", [(row, 0, row.cells[0]) for row in rows[1:]])

@@ -14,6 +14,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from omniproof.transcription.tree import Span
+from omniproof.visible import hidden
 
 MAX_LENGTH = 10_000
 MAX_DEPTH = 32
@@ -47,7 +48,8 @@ def _excerpt(source: str, span: Span) -> tuple[str, int]:
     if len(source) > EXCERPT:
         middle = (span[0] + min(span[1], span[0] + EXCERPT)) // 2
         start = max(0, min(middle - EXCERPT // 2, len(source) - EXCERPT))
-    return re.sub(r"[^\S ]|[^ -\U0010ffff]|\x7f", " ", source[start : start + EXCERPT]), start
+    shown = source[start : start + EXCERPT]
+    return "".join(" " if sign.isspace() or hidden(sign) else sign for sign in shown), start
 
 
 class Token(NamedTuple):
@@ -104,7 +106,10 @@ FRAMES = _words("aligned align gathered split equation")
 TABLES = _words("matrix pmatrix bmatrix smallmatrix array cases")
 """Environments of rows and columns."""
 
+NO_DERIVATIVES = "derivatives are not read: write out what they are"
 UNREAD = {
+    "partial": NO_DERIVATIVES,
+    "differential": NO_DERIVATIVES,
     "sum": "sums over an index are not read: write the terms out",
     "pm": "write both signs as claims of their own",
     "mp": "write both signs as claims of their own",
@@ -116,11 +121,20 @@ UNREAD = {
 
 SPACING = _words(
     "left right big Big bigg Bigg bigl bigr Bigl Bigr quad qquad displaystyle textstyle limits "
-    "nonumber notag"
+    "nonumber notag enspace enskip thinspace medspace thickspace negthinspace"
 )
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
+_UNIT = r"(?:mm|cm|pt|pc|bp|dd|cc|sp|mu|em|ex|in)(?![A-Za-z])"
+_NAMED = r"\\(?:baselineskip|jot|lineskip|parskip|smallskipamount|medskipamount|bigskipamount)"
+LENGTH = rf"(?:{_NUMBER}\s*{_UNIT}|(?:{_NUMBER})?\s*{_NAMED})"
+"""A length of TeX, such as `0.5em` or `-.2\\baselineskip`."""
 
 RULES = (
-    ("space", r"\s+|\\[,;:!]|~|\\tag\s*\{[^{}]*\}"),
+    (
+        "space",
+        r"\s+|\\[,;:!>]|~|\\tag\s*\{[^{}]*\}|\\[hv]?phantom\s*\{[^{}]*\}"
+        rf"|\\[hv]space\*?\s*\{{\s*{LENGTH}\s*\}}|\\(?:hskip|mskip|m?kern)\s*{LENGTH}",
+    ),
     ("number", r"\d+(?:\.\d+)?"),
     ("text", r"\\(?:text|mbox|textrm)\s*\{[^{}]*\}"),
     ("begin", r"\\begin\s*\{[^{}]{0,20}\}(?:\s*\{[lcr|]+\})?"),
@@ -129,7 +143,7 @@ RULES = (
     ("close", r"\\right\s*\\?\||\\r[vV]ert(?![A-Za-z])"),
     ("word", r"\\[A-Za-z]+"),
     ("blank", r"\\ "),
-    ("row", r"\\\\"),
+    ("row", rf"\\\\\*?(?:\s*\[\s*{LENGTH}\s*\])?"),
     ("sign", r"\\[{}|]|[-+*/=<>^_&(){}\[\],.;:|'−·×≤≥≠°]"),
     ("symbol", r"[A-Za-zα-ωϕΔΣΩ]"),
     ("unknown", r"."),

@@ -15,10 +15,10 @@ from hashlib import sha256
 from pathlib import Path
 
 from omniproof.transcription.faults import Fault, shorten
+from omniproof.transcription.files import display_name
 from omniproof.transcription.glyphs import misread
 from omniproof.transcription.loader import FILE, LoadedPaper
 from omniproof.transcription.model import Claim, Kind, Reading
-from omniproof.transcription.paperfile import display_name
 
 ROOT = Path(__file__).resolve().parents[3]
 

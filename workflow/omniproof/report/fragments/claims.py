@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from html import escape
 
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
-from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor, base, index
 from omniproof.report.changes import Changes, changes
 from omniproof.report.code_pages import code_link
@@ -180,8 +179,7 @@ def row_html(
         f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
         f'<span class="printed">{"" if bare else cell(printed)}</span>'
     )
-    said, _ = alternatives(row.note)
-    note = f'<p class="note">{note_html(said, href)}</p>' if said else ""
+    note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
     facts = facts_html(row, href, derived, changed)
     if row.verdict not in FOLDED:
         return (
@@ -222,7 +220,6 @@ def _facts(row: Row, href: Href, changed: Changes | None) -> Sequence[tuple[str,
         ("derived", "" if shown_already else cell(row.derived)),
         ("should read", cell(correction, lambda claim: link(claim, href))),
         ("change", changes_html(changed)),
-        ("or", others_html(alternatives(row.note)[1])),
         ("true when", cell(row.assumption)),
         ("counterexample", witness_html(row.witness)),
         ("exact value", interval_html(row)),
@@ -252,14 +249,6 @@ def derivation_html(source: str) -> str:
     """Return file and line of a derivation as a link to its code."""
     link = f'<a href="{escape(code_link(source))}"><code>{escape(source)}</code></a>'
     return link if source else ""
-
-
-def others_html(repairs: Sequence[str]) -> str:
-    """Return the other repairs of a formula; several of them unfold."""
-    if len(repairs) < 2:
-        return "".join(map(cell, repairs))
-    items = "".join(f"<li>{cell(latex)}</li>" for latex in repairs)
-    return f"<details><summary>{len(repairs)} other repairs</summary><ul>{items}</ul></details>"
 
 
 def changes_html(changed: Changes | None) -> str:

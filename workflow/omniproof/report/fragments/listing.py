@@ -10,7 +10,6 @@ from collections.abc import Iterable, Mapping
 from html import escape
 
 from omniproof.audit.ledger import Consequence, Row
-from omniproof.report.alternatives import alternatives
 from omniproof.report.anchors import anchor
 from omniproof.report.changes import changes
 from omniproof.report.findings import GRAVITY, REACH
@@ -70,9 +69,7 @@ def _finding(row: Row, href: Href) -> str:
     printed = changed.printed if changed else row.printed
     correct = changed.corrected if changed else row.correction or row.derived
     follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
-    said, others = alternatives(row.note)
-    more = f" Other repairs: {len(others)}." if others else ""
-    note = note_html(said, href) + more + follows
+    note = note_html(row.note, href) + follows
     lines = (
         _labelled(_printed(row), printed, href),
         _labelled("correct", correct, href),

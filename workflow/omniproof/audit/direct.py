@@ -1,0 +1,270 @@
+r"""A voice in every verdict: the value of the printed tree itself, at points.
+
+The engines are given what SymPy makes of a formula, and agree with each other about that. Direct
+evaluation shares nothing with them but the reader (`digits`), so it finds what they have in common:
+a simplification that is wrong, a witness where nothing is printed that has a value. It proves
+nothing. What is proved has to hold at a few points of the domain, what is refuted to fail at the
+witness, a condition to do both; a contradiction stops the run. A point counts only where every
+printed part is defined: a witness elsewhere is replaced by one that counts, and where no point
+counts, nothing is decided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any, TypeAlias
+
+import sympy as sp
+from mpmath import mp
+
+from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.digits import (
+    DIGITS,
+    NotEvaluatedError,
+    UndefinedError,
+    Value,
+    are_equal,
+    known_value,
+    number,
+    value,
+)
+from omniproof.audit.sampling import sample_points
+from omniproof.audit.zero_test import DisagreementError
+from omniproof.transcription import tree
+
+POINTS = 3
+"""A false statement that an engine proves is hardly true at three points by chance."""
+TRIES, ALLOWED = 60, 12
+"""So many points are looked at for them: arcsin x arcsin y is defined at one of nine. Where the
+domain has conditions, most of its points are."""
+SEED = 1
+"""Other points than those at which the engines look."""
+FURTHER = 4
+"""So many times the digits tell what was lost on the way from what differs by little."""
+MOST_DIGITS = 2_000
+"""Numbers of more digits, such as 10^{9999}, would take seconds."""
+NOWHERE = "no point of the domain was found at which every printed part is defined"
+
+
+class Place(dict[Any, Any]):
+    """An exact number for each SymPy symbol; what is evaluated there is evaluated once."""
+
+    def __init__(self, numbers: Mapping[Any, Any]) -> None:
+        super().__init__(numbers)
+        self.values_at: dict[tuple[Any, int], Value] = {}
+
+    def value(self, known: Any) -> Value:
+        """Evaluate a SymPy expression or matrix; raises `UndefinedError` as `known_value` does."""
+        own = self.get(known)
+        if own is not None and own.is_Rational:
+            return mp.mpf(int(own.p)) / int(own.q)
+        key = known, mp.dps
+        if key not in self.values_at:
+            self.values_at[key] = known_value(known, self)
+        return self.values_at[key]
+
+
+Side: TypeAlias = Callable[[Place], Value]
+
+
+@dataclass(frozen=True)
+class Statement:
+    """Two sides to evaluate at a point, and the sign between them; `digits` are what they take."""
+
+    left: Side
+    operator: str
+    right: Side
+    digits: int = DIGITS
+
+    def holds(self, place: Place, expected: bool) -> bool:
+        """Evaluate at a place; what is not as expected is believed with more digits only.
+
+        Raises `UndefinedError` where a side has no value, `NotEvaluatedError` where that is open.
+        """
+        if self.digits > MOST_DIGITS:
+            raise NotEvaluatedError(f"it takes more than {MOST_DIGITS} digits")
+        with mp.workdps(self.digits):
+            if self._holds(place) is expected:
+                return expected
+        with mp.workdps(FURTHER * self.digits):
+            return self._holds(place)
+
+    def _holds(self, place: Place) -> bool:
+        left, right = self.left(place), self.right(place)
+        if are_equal(left, right):
+            return self.operator in {"=", "\\leq", "\\geq"}
+        if self.operator in {"<", "\\leq"}:
+            return bool(left < right)
+        return bool(left > right) if self.operator in {">", "\\geq"} else self.operator == "\\neq"
+
+    def shown(self, place: Place) -> tuple[str, str]:
+        """Write both values, in as many digits as tell them apart."""
+        with mp.workdps(self.digits):
+            values = self.left(place), self.right(place)
+            pairs = ([_written(each, digits) for each in values] for digits in (4, 8, 16, 32, 64))
+            first, *others = pairs
+            left, right = next((pair for pair in (first, *others) if pair[0] != pair[1]), first)
+            return left, right
+
+
+def heard(answer: Answer, statement: Statement, places: Callable[[], Iterable[Place]]) -> Answer:
+    """Ask direct evaluation about an answer; what has no point that counts is mended.
+
+    `places` yields points of the domain, each with a number for every symbol of the statement.
+    Raises `DisagreementError` where it contradicts.
+    """
+    try:
+        match answer:
+            case Proved():
+                return _where_it_should_hold(answer, statement, places())
+            case OnBranch(relations=relations):
+                inside = (place for place in places() if _are_met(relations, place))
+                _where_it_should_hold(answer, statement, inside)
+                return _at_its_witness(answer, statement, places)
+            case Refuted():
+                return _at_its_witness(answer, statement, places)
+    except (NotEvaluatedError, UnsupportedError):
+        pass  # direct evaluation has nothing to say
+    return answer
+
+
+def _where_it_should_hold(answer: Answer, statement: Statement, places: Iterable[Place]) -> Answer:
+    seen = 0
+    for place in places:
+        try:
+            if not statement.holds(place, expected=True):
+                raise _contradiction(answer, statement, place)
+        except NotEvaluatedError:
+            raise
+        except UndefinedError:
+            continue
+        seen += 1
+        if seen == POINTS:
+            break
+    return answer if seen else Undecided(NOWHERE, answer.engines)
+
+
+def _at_its_witness(
+    answer: Refuted | OnBranch, statement: Statement, places: Callable[[], Iterable[Place]]
+) -> Answer:
+    there = exact_place(answer.witness)
+    if there is None:
+        return answer
+    for place in places():
+        try:
+            moved = Place({s: there.get(s.name, x) for s, x in place.items()})
+            if statement.holds(moved, expected=False):
+                raise _contradiction(answer, statement, moved)
+            return answer
+        except NotEvaluatedError:
+            raise
+        except UndefinedError:
+            if len(there) >= len(place):
+                break
+    return _with_another_witness(answer, statement, places())
+
+
+def _with_another_witness(
+    answer: Refuted | OnBranch, statement: Statement, places: Iterable[Place]
+) -> Answer:
+    reason = NOWHERE
+    for place in places:
+        try:
+            if not statement.holds(place, expected=False):
+                point = {symbol.name: str(x) for symbol, x in place.items()}
+                witness = Witness(point, *statement.shown(place))
+                return replace(answer, witness=witness)
+            reason = "it was found to fail only where a printed part is not defined"
+        except NotEvaluatedError:
+            raise
+        except UndefinedError:
+            continue
+    return Undecided(reason, answer.engines)
+
+
+def _contradiction(answer: Answer, statement: Statement, place: Place) -> DisagreementError:
+    left, right = statement.shown(place)
+    at = ", ".join(f"{symbol} = {x}" for symbol, x in place.items())
+    where = f" at {at}" if at else ""
+    engines = "+".join(answer.engines)
+    told = f"left {statement.operator} right with left = {left}, right = {right}"
+    return DisagreementError(f"direct evaluation contradicts {engines} on {told}{where}: {answer}")
+
+
+def exact_place(witness: Witness) -> dict[str, Any] | None:
+    """Read the point of a witness; None where it is no point of numbers."""
+    try:
+        return {
+            name: witness.exact[name] if name in witness.exact else sp.Rational(Fraction(text))
+            for name, text in witness.point.items()
+        }
+    except ValueError:
+        return None
+
+
+def _are_met(relations: Iterable[Any], place: Place) -> bool:
+    return all(_is_met(relation, place) for relation in relations)
+
+
+def _is_met(relation: Any, place: Place) -> bool:
+    """Whether a condition is certainly met; on its edge, a strict one and its opposite are not."""
+    if isinstance(relation, sp.And | sp.Or):
+        parts = (_is_met(part, place) for part in relation.args)
+        return all(parts) if isinstance(relation, sp.And) else any(parts)
+    if relation in (sp.true, sp.false):
+        return bool(relation)
+    try:
+        left, right = (place.value(side) for side in relation.args)
+    except UndefinedError:
+        return False
+    greater = sp.Integer(left > right)  # compared with 1/2, it stands as left does to right
+    return not are_equal(left, right) and bool(relation.func(greater, sp.S.Half))
+
+
+def places(symbols: Iterable[Any], domain: Domain) -> Iterator[Place]:
+    """Yield points of a domain with all symbols, in exact numbers; always the same."""
+    count = ALLOWED if domain.conditions else TRIES
+    for sample in sample_points(symbols, domain, count=count, seed=SEED):
+        yield Place({s: sp.Rational(int(x.p), int(x.q)) for s, x in sample.items()})
+
+
+def printed_side(
+    node: tree.Node, known: Callable[[tree.Symbolic], Any], index: tuple[int, int] = (0, 0)
+) -> Side:
+    """Return what evaluates a printed side at a place; of a matrix, the entry at an index.
+
+    `known` gives what a symbol means, as a SymPy expression or matrix.
+    """
+
+    def side(place: Place) -> Value:
+        def meaning(symbol: tree.Symbolic, bound: Mapping[str, Value]) -> Value:
+            if symbol.name in bound:
+                return bound[symbol.name]
+            moved = {known(tree.Name(name)): number(x) for name, x in bound.items()}
+            return (Place({**place, **moved}) if moved else place).value(known(symbol))
+
+        found = value(node, meaning)
+        return found[index] if isinstance(found, mp.matrix) else found
+
+    return side
+
+
+def digits_of(node: tree.Node) -> int:
+    """Return how many digits a formula takes: those of its numbers beside those that are lost."""
+    return DIGITS + sum(_own_digits(part) for part in tree.walk(node))
+
+
+def _own_digits(node: tree.Node) -> int:
+    match node:
+        case tree.Number(text=text):
+            return len(text)
+        case tree.Power(base=base, exponent=exponent) if not tree.names(base):
+            return 2 * abs(exponent) * sum(_own_digits(part) for part in tree.walk(base))
+    return 0
+
+
+def _written(number: Value, digits: int) -> str:
+    return str(mp.nstr(number, digits, strip_zeros=True)).removesuffix(".0")

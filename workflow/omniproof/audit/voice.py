@@ -1,0 +1,59 @@
+"""Direct evaluation of what a claim prints, held against what is derived for it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache, lru_cache
+from itertools import islice
+from typing import Any
+
+from omniproof.audit.answer import Answer
+from omniproof.audit.context import Context
+from omniproof.audit.direct import Place, Side, Statement, heard, places, printed_side
+from omniproof.transcription.expression import Function, evaluate
+from omniproof.transcription.tree import Node
+
+MOST_PLACES = 12
+"""Enough for three that count: papers print what is defined almost everywhere."""
+
+
+class Voice:
+    """Evaluates the printed parts of one claim, at points of its domain."""
+
+    def __init__(self, claim: str, context: Context) -> None:
+        self.claim, self.context = claim, context
+        self.known = cache(lambda node: evaluate(node, context.meanings_at(claim, node)))
+
+    def side(self, node: Node, index: tuple[int, ...] = ()) -> Side:
+        """Return what evaluates a printed part, or its entry at an index that counts from 1."""
+        row, column = (*index, 1, 1)[:2]
+        return printed_side(node, self.known, (row - 1, column - 1))
+
+    def equal(self, answer: Answer, printed: Node, index: tuple[int, ...], derived: Any) -> Answer:
+        """Ask about an answer on a printed side and what it should be; raises as `heard` does."""
+        symbols = self._symbols(printed).union(derived.free_symbols)
+        statement = Statement(self.side(printed, index), "=", lambda place: place.value(derived))
+        return heard(answer, statement, lambda: self._places(symbols))
+
+    def _symbols(self, printed: Node) -> frozenset[Any]:
+        """Collect what the printed symbols are expressions in."""
+        meanings = self.context.meanings_at(self.claim, printed).values()
+        values = (known.value if isinstance(known, Function) else known for known in meanings)
+        return frozenset().union(*(getattr(value, "free_symbols", ()) for value in values))
+
+    def _places(self, symbols: frozenset[Any]) -> Iterator[Place]:
+        """Yield points; claims on one domain share them, and what has been evaluated there."""
+        domain = self.context.domain(self.claim)
+        shared = _shared_places(self.context, repr(domain), self.claim)
+        others = symbols - self.context.variables
+        if not others:
+            yield from shared
+            return
+        for place, more in zip(shared, places(others, domain), strict=False):
+            yield Place({**place, **more})
+
+
+@lru_cache(maxsize=8)
+def _shared_places(context: Context, _domain: str, claim: str) -> list[Place]:
+    found = places(context.variables, context.domain(claim))
+    return list(islice(found, MOST_PLACES))
