@@ -14,8 +14,8 @@ from omniproof.formula.sympy_terms import NotATermError, term_of
 from omniproof.formula.term import Term
 
 __all__ = [
-    "Ball", "Program", "UnsupportedError", "WorkLimitError", "as_float", "as_term", "compile_balls", "evaluate",
-    "exact_number", "format_ball", "rational_ball", "sign_of",
+    "Ball", "Program", "UnsupportedError", "WorkLimitError", "as_float", "as_term", "compile_balls",
+    "evaluate", "exact_number", "format_ball", "rational_ball", "sign_of",
 ]  # fmt: skip
 
 
