@@ -8,13 +8,15 @@ from pathlib import Path
 
 from sympy import MatrixBase
 
+from omniproof.audit.agreement import disagreements
 from omniproof.audit.attribution import attribute
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Ledger
-from omniproof.audit.readings import load_readings
+from omniproof.audit.own_text import refuse_own_text
+from omniproof.audit.readings import load_readings, unfit
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_sound_part
@@ -31,7 +33,7 @@ def audit_paper(folder: Path) -> Ledger:
     return Ledger(
         paper=context.loaded.paper.key,
         claims=len(context.loaded.claims),
-        rows=tuple(attribute(rows, context)),
+        rows=tuple(refuse_own_text(row, context) for row in attribute(rows, context)),
     )
 
 
@@ -53,6 +55,7 @@ def prepare(folder: Path) -> Context:
             loaded, set(registry.derivations), set(registry.quantities), set(context.readings)
         ),
     ]
+    found += [*unfit(context.readings, loaded), *disagreements(context)]
     sound = [claim for claim in loaded.claims if _can_be_evaluated(claim, context, found)]
     found += [fault for claim in sound for fault in _unfit(claim, context)]
     found += [fault for claim in loaded.claims for fault in _no_domain(claim, context)]
@@ -110,9 +113,9 @@ def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
 
 def _no_domain(claim: Claim, context: Context) -> Iterator[Fault]:
     """Find assumptions that cannot be evaluated, or that nothing fulfils."""
-    stated = context.loaded.assumptions.get(claim.id, ())
+    formulas = context.loaded.formulas(claim.id)
     derived = claim.id in context.registry.derivations
-    if not derived or not all(_has_meaning(n, context) for node in stated for n in names(node)):
+    if not derived or not all(_has_meaning(n, context) for node in formulas for n in names(node)):
         return
     try:
         context.domain(claim.id)

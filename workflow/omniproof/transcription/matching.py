@@ -76,20 +76,31 @@ def _without_claim(loaded: LoadedPaper, ids: Collection[str], kind: str) -> Iter
 
 
 def _quantities(loaded: LoadedPaper, given: Collection[str]) -> Iterator[Fault]:
-    declared = {symbol.name for symbol in loaded.symbols.values() if symbol.role is Role.QUANTITY}
+    roles = {symbol.name: symbol.role for symbol in loaded.symbols.values()}
+    declared = {name for name, role in roles.items() if role is Role.QUANTITY}
+    free = set(given) - declared
     for name in declared - set(given):
         message = f"expected a meaning of the quantity `{name}`, found none"
-        cure = f'add a function with `@REGISTRY.quantity("{name}")` to {_code(loaded)}'
-        yield _fault(loaded, "", message, cure, f"symbols[{name}]")
-    for name in set(given) - declared - loaded.broken:
+        add = f'add a function with `@REGISTRY.quantity("{name}")` to {_code(loaded)}'
+        yield _symbol_fault(loaded, name, "name", message, nearest(name, free, add))
+    for name in free - loaded.broken:
         message = f"expected a symbol with `role: quantity` for the meaning `{name}`, found none"
-        yield _fault(loaded, "", message, nearest(name, declared, "declare it under `symbols`"))
+        if name in roles:
+            yield _symbol_fault(loaded, name, "role", message, "write `role: quantity`")
+        else:
+            cure = nearest(name, declared - set(given), "declare it under `symbols`")
+            yield _fault(loaded, "", message, cure)
 
 
-def _fault(loaded: LoadedPaper, claim: str, message: str, cure: str, path: str = "") -> Fault:
+def _symbol_fault(loaded: LoadedPaper, name: str, key: str, message: str, cure: str) -> Fault:
+    place = loaded.declared_at[name, key]
+    return Fault(place.file, place.line, place.column, f"symbols[{name}].{key}", message, cure)
+
+
+def _fault(loaded: LoadedPaper, claim: str, message: str, cure: str) -> Fault:
     file = Position(display_name(loaded.folder / FILE), 1, 1)
     place = loaded.positions.get(claim, file)
-    path = path or (f"claims[{claim}]" if claim else "")
+    path = f"claims[{claim}]" if claim else ""
     return Fault(place.file, place.line, place.column, path, message, cure)
 
 

@@ -143,6 +143,9 @@ class Symbol(Record):
     def _complete(self) -> Self:
         if self.of and self.role is not Role.QUANTITY:
             raise ValueError("`of` belongs to role quantity")
+        for key in ("positive", "range"):
+            if getattr(self, key) and self.role is not Role.VARIABLE:
+                raise ValueError(f"`{key}` belongs to role variable")
         return self
 
 
