@@ -7,16 +7,27 @@ reading; what is told of them still has the places of the file.
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from omniproof.transcription.loader import FILE
-from omniproof.transcription.paperfile import Document, load_document
+import pytest
 
+from omniproof.audit import agreement, run
+from omniproof.audit.context import Context
+from omniproof.audit.known_symbols import known_symbols
+from omniproof.transcription import checking, loader
+from omniproof.transcription.loader import FILE
+from omniproof.transcription.model import Notation
+from omniproof.transcription.paperfile import Document, load_document
+from omniproof.transcription.reader import LatexError, Names, read_with
+from omniproof.transcription.tree import Node
+
+Read = Callable[[str, Notation, Names], Node]
 ROLES = ("variable", "quantity", "undefined")
-SOME_RANGE = r"(0, 30^\circ)"
 
 
 @dataclass(frozen=True)
@@ -77,11 +88,9 @@ def _slips(symbol: Mapping[str, Any], variables: list[str]) -> Iterator[tuple[st
             yield "changed" if "role" in symbol else "added", "role", other
     yield "misspelt", "role", f"{role}e"
     yield from _signs(symbol)
-    for interval in (SOME_RANGE, r"(0, 180^\circ)", r"(-1, 1)"):
-        yield "changed" if "range" in symbol else "added", "range", interval
-    for variable in variables[:3]:
-        if [variable] != symbol.get("of"):
-            yield "changed" if "of" in symbol else "added", "of", [variable]
+    yield "changed" if "range" in symbol else "added", "range", r"(0, 30^\circ)"
+    other = next(variable for variable in variables if [variable] != symbol.get("of"))
+    yield "changed" if "of" in symbol else "added", "of", [other]
 
 
 def _signs(symbol: Mapping[str, Any]) -> Iterator[tuple[str, str, Any]]:
@@ -90,3 +99,37 @@ def _signs(symbol: Mapping[str, Any]) -> Iterator[tuple[str, str, Any]]:
         yield "misspelt", "positive", "ture"
     else:
         yield "added", "positive", "true"
+
+
+@contextmanager
+def in_place_of(folder: Path) -> Iterator[Callable[[Alteration], None]]:
+    """Give a function that puts an altered paper in place of the paper.
+
+    What no alteration changes is done once: derivations, and formulas with the same symbols.
+    """
+    document, derived = load_document(folder / FILE), dict[Any, Any]()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(checking, "read_with", _read_once())
+        patch.setattr(run, "Context", partial(Context, derived=derived))
+        known = known_symbols(run.prepare(folder))
+        patch.setattr(agreement, "known_symbols", lambda context: known)
+        yield lambda slip: patch.setattr(loader, "load_document", lambda _: slip.made_in(document))
+
+
+def _read_once() -> Read:
+    """Read each formula once, and remember also why it cannot be read."""
+    found: dict[tuple[str, str, Names], Node | LatexError] = {}
+
+    def read(text: str, notation: Notation, names: Names) -> Node:
+        key = (text, repr(notation), names)
+        if key not in found:
+            try:
+                found[key] = read_with(text, notation, names)
+            except LatexError as error:
+                found[key] = error
+        node = found[key]
+        if isinstance(node, LatexError):
+            raise node
+        return node
+
+    return read

@@ -29,6 +29,7 @@ from omniproof.transcription.tree import names
 Said: TypeAlias = tuple[str, str, str]
 """A key of a declared symbol, what is wrong with it, and the cure."""
 
+NOT_INTRODUCED = "leave it out, or write `role: undefined` for what the paper never introduces"
 MOST_NAMED = 8
 """So many symbols a cure lists; a longer list is not read."""
 
@@ -56,6 +57,7 @@ class _Agreement:
         """Yield what is said of one symbol in two ways."""
         if symbol.role is Role.QUANTITY:
             yield from self.arguments(printed, symbol)
+        if symbol.name in self.context.registry.quantities or symbol.role is Role.QUANTITY:
             return
         yield from self.range(printed, symbol)
         rule = self.undefined if symbol.role is Role.UNDEFINED else self.variable
@@ -79,9 +81,10 @@ class _Agreement:
         # Where nothing is derived, nothing can go wrong: a symbol may stand there alone.
         unknown = not alike and (claims or not printing)
         if unknown or (claims and missed and symbol.name not in around):
-            candidates = missed or self.known.places.keys() - self.declared
             message = f"expected a symbol of the derivations, found `{symbol.name}`"
-            yield "name", message, _meant(symbol.name, candidates)
+            free = self.known.places.keys() - self.declared
+            otherwise = nearest(symbol.name, free, NOT_INTRODUCED)
+            yield "name", message, _meant(symbol.name, missed) if missed else otherwise
 
     def undefined(self, printed: str, symbol: Declared) -> Iterator[Said]:
         """What the paper never introduces has no part in the mechanics."""
@@ -200,9 +203,7 @@ def _meant(word: str, known: Collection[str]) -> str:
     if len(known) == 1:
         return f"did you mean `{min(known)}`?"
     names = sorted(known)[:MOST_NAMED]
-    listed = f"the derivations know {_listed(names)}" if names else ""
-    unknown = "leave it out, or write `role: undefined` for what the paper never introduces"
-    return nearest(word, known, listed or unknown)
+    return nearest(word, known, f"the derivations know {_listed(names) or 'none'}")
 
 
 def _same_ends(wanted: Collection[Any], found: Collection[Any]) -> bool:

@@ -22,6 +22,7 @@ from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_sound_part
 from omniproof.transcription.matching import unmatched
 from omniproof.transcription.model import Claim, Form, Kind, Role
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import names
 
@@ -91,7 +92,11 @@ def _has_meaning(printed: str, context: Context) -> bool:
     if printed not in symbols:
         return printed.removeprefix("\\det ") in symbols
     symbol = symbols[printed]
-    return symbol.role is not Role.QUANTITY or symbol.name in quantities
+    if symbol.role is not Role.QUANTITY:
+        return True
+    return symbol.name in quantities and all(
+        _has_meaning(symbol_name(latex), context) for latex in symbol.of
+    )
 
 
 def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:

@@ -78,8 +78,8 @@ def _without_claim(loaded: LoadedPaper, ids: Collection[str], kind: str) -> Iter
 def _quantities(loaded: LoadedPaper, given: Collection[str]) -> Iterator[Fault]:
     roles = {symbol.name: symbol.role for symbol in loaded.symbols.values()}
     declared = {name for name, role in roles.items() if role is Role.QUANTITY}
-    free = set(given) - declared
-    for name in declared - set(given):
+    bare, free = declared - set(given), set(given) - declared
+    for name in bare:
         message = f"expected a meaning of the quantity `{name}`, found none"
         add = f'add a function with `@REGISTRY.quantity("{name}")` to {_code(loaded)}'
         yield _symbol_fault(loaded, name, "name", message, nearest(name, free, add))
@@ -87,9 +87,8 @@ def _quantities(loaded: LoadedPaper, given: Collection[str]) -> Iterator[Fault]:
         message = f"expected a symbol with `role: quantity` for the meaning `{name}`, found none"
         if name in roles:
             yield _symbol_fault(loaded, name, "role", message, "write `role: quantity`")
-        else:
-            cure = nearest(name, declared - set(given), "declare it under `symbols`")
-            yield _fault(loaded, "", message, cure)
+        elif not nearest(name, bare):  # else it is a slip in that name, which is told
+            yield _fault(loaded, "", message, "declare it under `symbols`")
 
 
 def _symbol_fault(loaded: LoadedPaper, name: str, key: str, message: str, cure: str) -> Fault:

@@ -212,6 +212,12 @@ class Claim(Record):
             raise ValueError(f"a claim of kind {self.kind} needs `{needs}`")
         if self.kind is Kind.VALUE:
             _check_decimal(str(self.printed))
+        if (
+            self.asserts
+            and self.asserts.form in {Form.EQUIVALENT, Form.INSTANCE}
+            and not self.latex
+        ):
+            raise ValueError(f"a relation of form {self.asserts.form} needs `latex`")
         return self
 
     @model_validator(mode="after")
