@@ -54,14 +54,14 @@ def test_the_file_is_refused_with_its_line(
 
 
 HAND = Read(verdict=Verdict.VERIFIED, reason="looked at")
+AS_PRINTED = Read(verdict=Verdict.EDITORIAL, reason="misspelt", correction="noble")
 UNFIT = [
     pytest.param("eq:1", HAND, "claims[eq:1]: expected no reading of this identity, found one",
                  id="computed"),
     pytest.param("sec:3/noble", HAND, "claims[sec:3/noble]: expected a reading with one of "
                  "editorial, found verified", id="no matter of wording"),
-    pytest.param("sec:3/noble", Read(verdict=Verdict.EDITORIAL, reason="misspelt", correction="noble"),
-                 "claims[sec:3/noble]: expected a correction, found what is printed: noble",
-                 id="what is printed"),
+    pytest.param("sec:3/noble", AS_PRINTED,
+                 "claims[sec:3/noble]: expected a correction, found what is printed: noble", id="what is printed"),
 ]  # fmt: skip
 
 

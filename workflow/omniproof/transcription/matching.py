@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from contextlib import suppress
 
-from omniproof.transcription.faults import Fault
+from omniproof.transcription.faults import Fault, shorten
 from omniproof.transcription.loader import FILE, LoadedPaper, Position
 from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Claim, Kind, Role
 from omniproof.transcription.paperfile import display_name
+from omniproof.transcription.symbols import symbol_name
+from omniproof.transcription.tokens import LatexError
 
 DERIVED = frozenset({Kind.IDENTITY, Kind.VALUE, Kind.RELATION})
 
@@ -30,6 +33,7 @@ def unmatched(
             *_without_claim(loaded, derivation_ids, "derivation"),
             *_quantities(loaded, quantity_names),
             *_readings(loaded, reading_ids),
+            *_looked_for(loaded, reading_ids),
             *_without_claim(loaded, reading_ids, "reading"),
         ]
     )
@@ -62,6 +66,20 @@ def _readings(loaded: LoadedPaper, ids: Collection[str]) -> Iterator[Fault]:
             message = f"expected a reading of this {claim.kind}, found none"
             cure = f"add `{claim.id}` with its reason to {_folder(loaded)}/readings.yaml"
             yield _fault(loaded, claim.id, message, cure)
+
+
+def _looked_for(loaded: LoadedPaper, read: Collection[str]) -> Iterator[Fault]:
+    """Find symbols that references are about and nobody declared: no place can show them."""
+    for claim in loaded.claims:
+        computed = claim.target and claim.id not in read and not claim.uncheckable
+        if claim.kind is not Kind.REFERENCE or not claim.about or not computed:
+            continue
+        with suppress(LatexError):
+            if symbol_name(claim.about) not in loaded.symbols:
+                message = f"expected `about` to be a declared symbol, found {shorten(claim.about)}"
+                latex = [symbol.latex for symbol in loaded.symbols.values()]
+                cure = nearest(claim.about, latex, "declare it under `symbols`")
+                yield _fault(loaded, claim.id, message, cure)
 
 
 def _without_claim(loaded: LoadedPaper, ids: Collection[str], kind: str) -> Iterator[Fault]:
