@@ -61,7 +61,8 @@ UNFIT = [
     pytest.param("sec:3/noble", HAND, "claims[sec:3/noble]: expected a reading with one of "
                  "editorial, found verified", id="no matter of wording"),
     pytest.param("sec:3/noble", AS_PRINTED,
-                 "claims[sec:3/noble]: expected a correction, found what is printed: noble", id="what is printed"),
+                 "claims[sec:3/noble]: expected a correction, found what is printed: noble",
+                 id="what is printed"),
 ]  # fmt: skip
 
 

@@ -70,8 +70,8 @@ def symbol_alterations(folder: Path) -> Iterator[Alteration]:
         for how, key, value in _slips(symbol, variables):
             yield Alteration(folder.name, key, how, ("symbols", i, key), value)
         for key in symbol:
-            new = key[:2] + key[3:]
-            yield Alteration(folder.name, key, "key misspelt", ("symbols", i, key), new_key=new)
+            how, new = "key misspelt", f"{key}s"
+            yield Alteration(folder.name, key, how, ("symbols", i, key), new_key=new)
 
 
 def _slips(symbol: Mapping[str, Any], variables: list[str]) -> Iterator[tuple[str, str, Any]]:

@@ -15,6 +15,7 @@ from omniproof.audit.context import Context
 from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Ledger
+from omniproof.audit.other_notation import misread
 from omniproof.audit.own_text import refuse_own_text
 from omniproof.audit.readings import load_readings, unfit
 from omniproof.registry import Registry, load_registry
@@ -31,6 +32,8 @@ def audit_paper(folder: Path) -> Ledger:
     """Return the ledger of the paper in a folder of `paper_data`; raises `BadInput`."""
     context = prepare_to_judge(folder)
     rows = [row for claim in context.loaded.claims for row in judge_claim(claim, context)]
+    if faults := list(misread(rows, context)):
+        raise BadInput(faults)
     return Ledger(
         paper=context.loaded.paper.key,
         claims=len(context.loaded.claims),
