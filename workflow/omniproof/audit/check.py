@@ -86,6 +86,7 @@ FAVOUR = (
     Finding.VERIFIED,
     Finding.DEFINITION,
     Finding.UNDECIDED,
+    Finding.INVALID,
     Finding.CONDITIONAL,
     Finding.ERRATUM,
 )
@@ -179,19 +180,18 @@ def _in_favour(
     complete: bool,
     judge: Callable[[tree.Node], CheckResult],
 ) -> CheckResult:
-    """Judge the other readings, too; a reading that is no formula is none."""
+    """Judge the other readings, too; what one of them leaves open is not called false."""
     found = [(first, ways[0])]
     for way in ways[1:]:
         found.append((judge(way.node), way))
         if {Finding.VERIFIED} < {result.verdict for result, _ in found}:
             break
-    found = [pair for pair in found if pair[0].verdict is not Finding.INVALID]
-    if not found:
-        return first
     best, way = min(found, key=lambda pair: FAVOUR.index(pair[0].verdict))
     if not complete and best.verdict in {Finding.CONDITIONAL, Finding.ERRATUM}:
         message = "not decided: there are too many ways to read arguments without brackets"
         return CheckResult(Finding.UNDECIDED, best.printed, message=message)
+    if best.verdict is Finding.INVALID:
+        return best
     if len({result.verdict for result, _ in found}) > 1:
         chosen = ", ".join(f"`{printed}` as `{read}`" for printed, read in way.chosen)
         return replace(best, message=f"{best.message}, if one reads {chosen}")

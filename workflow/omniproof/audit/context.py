@@ -68,7 +68,7 @@ class Context:
     def variables(self) -> frozenset[Symbol]:
         """SymPy's symbols for what the paper prints and does not derive."""
         symbols = self.loaded.paper.symbols
-        return frozenset(self._symbol(s) for s in symbols if s.role is not Role.QUANTITY)
+        return frozenset(self.sympy_symbol(s) for s in symbols if s.role is not Role.QUANTITY)
 
     def value(self, text: str, claim: str) -> Any:
         """Read and evaluate a formula with the symbols of a claim; raises `LatexError`."""

@@ -18,7 +18,7 @@ from typing import Any
 from sympy import Basic, MatrixBase, Symbol
 
 from omniproof.audit.context import Context
-from omniproof.transcription.paperfile import display_name
+from omniproof.transcription.files import display_name
 
 
 @dataclass(frozen=True)
