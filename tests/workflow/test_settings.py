@@ -196,7 +196,8 @@ BOMB = "a: &a [x]\n" + "".join(f"{b}: &{b} [{', '.join([f'*{a}'] * 9)}]\n" for a
         pytest.param(
             f"papers:\n{BOMB}".encode(), "3:8: expected values, found an alias", id="bomb"),
         pytest.param(
-            b"papers: " + b"[" * 5_000 + b"]" * 5_000, "1:1: expected few levels, found a thousand", id="deep"),
+            b"papers: " + b"[" * 5_000 + b"]" * 5_000,
+            "1:1: expected few levels, found a thousand", id="deep"),
         pytest.param(
             b"papers: \x1b[31m", "1:1: broken YAML: unacceptable character #x001b", id="escape"),
         pytest.param(
