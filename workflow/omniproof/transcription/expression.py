@@ -392,7 +392,9 @@ def _chain(scope: _Scope, node: tree.Chain) -> Value:
 
 
 def _cases(scope: _Scope, node: tree.Cases) -> Value:
-    branches = ((scope.number(row.value), scope.truth(row.condition)) for row in node.branches)
+    branches = [(scope.number(row.value), scope.truth(row.condition)) for row in node.branches]
+    if any(condition.has(sympy.Piecewise) for _, condition in branches):
+        scope.refuse(node, "expected conditions without cases in them", "write the cases out")
     return sympy.Piecewise(*branches)
 
 
