@@ -331,7 +331,7 @@ def test_a_paper_that_nobody_derived_yet(folder: Path) -> None:
     run = audit("paper", cwd=folder)
     assert (run.returncode, run.stdout) == (2, "")
     assert (
-        f"{PAPER}:1:1: symbols[D_A]: expected a meaning of the quantity `D_A`, found none\n"
+        "symbols[D_A].name: expected a meaning of the quantity `D_A`, found none\n"
         '    add a function with `@REGISTRY.quantity("D_A")` to '
         "papers/another_paper/derivations.py\n"
     ) in run.stderr

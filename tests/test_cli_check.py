@@ -6,6 +6,7 @@ import io
 import json
 import os
 import pty
+import shlex
 import subprocess
 import sys
 from collections.abc import Callable
@@ -259,6 +260,27 @@ def test_a_pipe_that_is_closed_is_no_failure() -> None:
     )
     os.close(writing)
     assert (done.returncode, done.stderr) == (1, b"")
+
+
+@pytest.mark.parametrize(
+    ("command", "status", "message"),
+    [
+        pytest.param('%s "a = a" >&-', 2, "expected an open stdout, found it closed", id="closed"),
+        pytest.param('%s "a = a" <&- >&-', 2, "expected an open stdout", id="both closed"),
+        pytest.param(
+            '%s "a = a" >/dev/full', 2, "cannot write to stdout: No space left", id="full"),
+        pytest.param("%s - <&-", 2, "expected an open stdin, found it closed", id="no stdin"),
+        pytest.param('%s "a =" 2>/dev/full', 2, "", id="nowhere to say it"),
+        pytest.param('%s "a = a" 2>&-', 0, "", id="nothing to say"),
+    ],
+)  # fmt: skip
+def test_streams_of_a_shell(command: str, status: int, message: str) -> None:
+    check = shlex.join(COMMAND)
+    done = subprocess.run(
+        ["/bin/sh", "-c", command % check], capture_output=True, timeout=120, check=False
+    )
+    assert (done.returncode, done.stderr.decode().startswith(message)) == (status, True)
+    assert b"Traceback" not in done.stderr
 
 
 def test_a_check_imports_no_more_than_it_needs() -> None:

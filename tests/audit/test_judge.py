@@ -47,6 +47,8 @@ ROWS = [
     row("eq:16[3]", "erratum", "wrong by the premise too", printed="2 x",
         derived=r"x \cos {y}", correction=r"x \cos {y}", repair="manual", consequence="motion",
         witness="x=20/9; y=-26/9; printed=4.444; derived=-2.152"),
+    row("eq:17", "verified", "print leaves open what the cosine is taken of",
+        printed=r"\cos x\,L", derived=r"L \cos {x}"),
     row("eq:13", "verified", "f(2y) is sin 2y", printed="f(2y)", derived=r"\sin {2 y}"),
     row("eq:14", "erratum", "f(y) is not f(x)", printed="f(y)", derived=r"\sin {x}",
         correction="f(x)", repair="explained", consequence="motion",
@@ -139,6 +141,7 @@ def test_rows(name: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
     [
         ("eq:6[2,3]", "flint+modular+z3", "a matrix."),
         ("eq:10", "", "beyond us. gamma is not among the functions that can be enclosed."),
+        ("eq:17", "flint+modular+z3", r"a side. true if one reads $\cos x\,L$ as $\cos(x)\,L$."),
         ("eq:12", "signs", "signs agree."),
         ("sec:1/angles", "exact", "an isosceles triangle."),
         ("sec:2/frame", "text", "name of the frame. differs from sec:3/frame."),
@@ -164,11 +167,11 @@ def test_engines_and_notes(name: str, engines: str, note: str, rows: dict[str, R
 def test_rows_stand_in_order_of_place_and_claims_are_counted_without_entries(
     tiny_ledger: Ledger,
 ) -> None:
-    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 45)
+    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 46)
     assert [row.id for row in tiny_ledger.rows[:9]] == [
         "eq:1", "eq:6[1,1]", "eq:6[1,2]", "eq:6[1,3]", "eq:6[2,1]", "eq:6[2,2]", "eq:6[2,3]",
         "eq:7", "eq:8"]  # fmt: skip
-    assert len(tiny_ledger.rows) == 45 + 5 + 2
+    assert len(tiny_ledger.rows) == 46 + 5 + 2
 
 
 def test_the_same_paper_gives_the_same_bytes(tiny_folder: Path, tiny_ledger: Ledger) -> None:

@@ -67,7 +67,8 @@ REFUSED = [
     pytest.param(r"\vec a \times \vec b = \vec b \times \vec a", NONE, [
         r"`\vec a \times \vec b` may be of vectors or matrices, which do not commute",
         r"    \vec a \times \vec b = \vec b \times \vec a",
-        "    ~~~~~~~~~~~~~~~~~~~^", ENTRIES], id="vectors by name"),
+        "    ~~~~~~~~~~~~~~~~~~~^",
+        rf"{ENTRIES}; write `\cdot` between numbers"], id="vectors by name"),
     pytest.param(r"R^T R = I", NONE, [
         "`R^T R` may be of vectors or matrices, which do not commute",
         "    R^T R = I",

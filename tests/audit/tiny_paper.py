@@ -67,6 +67,7 @@ claims:
     line: 8
     says: a model
     latex: '\begin{pmatrix} x \\ y \\ 2 x \end{pmatrix}'
+  - {id: 'eq:17', kind: identity, line: 9, says: a side, latex: '\cos x\,L'}
   - {id: 'sec:1/grows', kind: relation, line: 10, says: it grows, asserts: {form: increasing}}
   - {id: 'sec:1/shrinks', kind: relation, line: 11, says: it shrinks, asserts: {form: decreasing}}
   - {id: 'sec:1/same', kind: relation, line: 12, says: they agree, asserts: {form: equal}}
@@ -221,6 +222,7 @@ def _identities() -> dict[str, Any]:
         ),
         "eq:13": sin(2 * y),
         "eq:14": sin(x),
+        "eq:17": L * cos(x),
     }
 
 

@@ -13,7 +13,8 @@ from omniproof.report.book import BookError, build, read_ledgers, stage
 from omniproof.report.fragments.overview import read_edition
 from omniproof.report.validate import validate_book
 
-FILES = ("ledger.csv", "findings.csv", "findings.json", "theorems.json", "references.bib")
+FILES = ("ledger.csv", "findings.csv", "findings.json", "theorems.json", "references.bib",
+         "notebooks/derivation.ipynb")  # fmt: skip
 
 
 def test_report_keeps_its_promises(pages: Path) -> None:

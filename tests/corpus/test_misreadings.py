@@ -28,7 +28,7 @@ def formulas() -> Iterator[tuple[str, str]]:
                 yield formula, VERDICTS[truth]
 
 
-@pytest.mark.parametrize(("formula", "verdict"), formulas())
+@pytest.mark.parametrize(("formula", "verdict"), list(formulas()))
 def test_no_formula_is_misread(formula: str, verdict: str) -> None:
     found = check(formula)
     assert found.verdict == verdict

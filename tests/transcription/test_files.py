@@ -9,8 +9,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from test_loader import GOOD, TABLE
 
-from conftest import write_folder
 from omniproof import cli
 from omniproof.transcription import files
 from omniproof.transcription.faults import BadInput
@@ -63,7 +63,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = tmp_path / "paper"
     folder.mkdir()
     (tmp_path / "secret").write_text("key: secret\n")
-    monkeypatch.chdir(write_folder(folder))
+    (folder / "paper.yaml").write_text(GOOD, encoding="utf-8")
+    (folder / "table-2.csv").write_text(TABLE, encoding="utf-8")
+    monkeypatch.chdir(folder)
     return Path()
 
 

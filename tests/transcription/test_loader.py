@@ -482,3 +482,57 @@ def test_where_a_table_decodes_the_source_each_piece_of_it_is_named(folder: Path
         "    copy it from the line of the claim",
         *ONE,
     ]
+
+
+REFERENCE = "    target: eq:1\n"
+HOSTILE = [
+    pytest.param("'{'", "expected a symbol, found `{`", id="an open brace"),
+    pytest.param("'}'", "expected a symbol, found `}`", id="a stray brace"),
+    pytest.param("'L)'", "expected one symbol, found `)`", id="a stray bracket"),
+    pytest.param("'L L'", "expected one symbol, found `L`", id="two symbols"),
+    pytest.param("''", "expected text, found nothing", id="nothing"),
+    pytest.param("[L]", "expected text, found a list", id="a list"),
+    pytest.param(f"'{'{' * 500}'", "expected at most 32 brackets inside one another", id="deep"),
+    pytest.param(
+        f"'{'L' * 9_000}'", "expected at most 2000 characters, found 9000", id="long"),
+    pytest.param(
+        r'"L\x1b[31m"', "expected text that can be seen, found U+001B a control character",
+        id="an escape sequence"),
+    pytest.param(
+        r'"\u202eL"', "expected text that can be seen, found U+202E RIGHT-TO-LEFT OVERRIDE",
+        id="a mark of direction"),
+    pytest.param(
+        r'"L\U000e0041"',
+        "expected text that can be seen, found U+E0041 TAG LATIN CAPITAL LETTER A", id="a tag"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("value", "message"), HOSTILE)
+def test_what_a_reference_is_about(folder: Path, value: str, message: str) -> None:
+    text = GOOD.replace(REFERENCE, f"{REFERENCE}    about: {value}\n")
+    (folder / "paper.yaml").write_text(text, encoding="utf-8")
+    where, _, said = faults_of(folder)[0].partition(".about: ")
+    assert (where.startswith(f"{FILE}:41:12: claims["), said) == (True, message)
+
+
+@pytest.mark.parametrize("field", ["title: On", "means: a radius", "says: a product", "year: 2023"])
+@pytest.mark.parametrize("character", ["\\x9b", "\\u2066", "\\u2028", "\\x07"])
+def test_nothing_hidden_in_any_field(folder: Path, field: str, character: str) -> None:
+    key = field.split(":", maxsplit=1)[0]
+    text = GOOD.replace(field, f'{key}: "{character}"', 1).replace('" wheels', '"')
+    (folder / "paper.yaml").write_text(text, encoding="utf-8")
+    assert f"{key}: expected text that can be seen, found U+" in faults_of(folder)[0]
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        pytest.param("".join(f"k{i}: v\n" for i in range(50_000)), "expected at most 40000 values",
+                     id="too many"),
+        pytest.param("".join(f"k{i}: v\n" for i in range(30_000)), "expected one of claims",
+                     id="many, each wrong"),
+    ],
+)  # fmt: skip
+def test_many_values_are_told_in_time(folder: Path, values: str, message: str) -> None:
+    (folder / "paper.yaml").write_text(values + GOOD, encoding="utf-8")
+    assert message in faults_of(folder)[0]

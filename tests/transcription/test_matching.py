@@ -41,12 +41,18 @@ MATCHES = [
         "    add the claim, or remove it from papers/on_wheels/derivations.py"],
         id="derivation like no claim"),
     pytest.param(DERIVED, ["q"], READ, [
-        "paper.yaml:1:1: symbols[p]: expected a meaning of the quantity `p`, found none",
+        "paper.yaml:8:24: symbols[p].name: expected a meaning of the quantity `p`, found none",
         '    add a function with `@REGISTRY.quantity("p")` to papers/on_wheels/derivations.py'],
         id="quantity without meaning"),
+    pytest.param(DERIVED, ["q", "pp"], READ, [
+        "paper.yaml:8:24: symbols[p].name: expected a meaning of the quantity `p`, found none",
+        "    did you mean `pp`?"], id="quantity misspelt"),
     pytest.param(DERIVED, [*QUANTITIES, "L"], READ, [
-        "paper.yaml:1:1: expected a symbol with `role: quantity` for the meaning `L`, found none",
-        "    declare it under `symbols`"], id="meaning of a variable"),
+        "paper.yaml:5:5: symbols[L].role: expected a symbol with `role: quantity` for the meaning "
+        "`L`, found none", "    write `role: quantity`"], id="meaning of a variable"),
+    pytest.param(DERIVED, [*QUANTITIES, "M"], READ, [
+        "paper.yaml:1:1: expected a symbol with `role: quantity` for the meaning `M`, found none",
+        "    declare it under `symbols`"], id="meaning of no symbol"),
     pytest.param(DERIVED, QUANTITIES, [], [
         "paper.yaml:16:10: claims[sec:2/spelling]: expected a reading of this editorial, "
         "found none",

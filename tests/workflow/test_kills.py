@@ -14,7 +14,6 @@ SOME = [  # a judged paper, a table and a picture that rest on others, what is s
     "results/tables/omni-arrangement/table-2.csv",
     "results/figures/two-roller-sphere/figures.json",
     "results/ledger/ballbot.json",
-    "results/theorems.json",
 ]
 EVERYTHING = ["make", "--old-file=.venv/ready"]
 HOUR = 3600

@@ -1,5 +1,6 @@
 """The configuration: each mistake gives its message, to the letter."""
 
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -17,6 +18,7 @@ chapters:
   - one-wheel
 """
 FILE = Path("config.yaml")
+BITS = list(pairwise("abcdefghijkl"))
 
 
 @pytest.fixture
@@ -183,6 +185,38 @@ def test_topic_without_theorems_and_figures(folder):
         BadInput, match="no module theorems or figures in workflow/omniproof/papers/two_wheels"
     ):
         read_settings(FILE, root=folder)
+
+
+BOMB = "a: &a [x]\n" + "".join(f"{b}: &{b} [{', '.join([f'*{a}'] * 9)}]\n" for a, b in BITS)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        pytest.param(
+            f"papers:\n{BOMB}".encode(), "3:8: expected values, found an alias", id="bomb"),
+        pytest.param(
+            b"papers: " + b"[" * 5_000 + b"]" * 5_000,
+            "1:1: expected few levels, found a thousand", id="deep"),
+        pytest.param(
+            b"papers: \x1b[31m", "1:1: broken YAML: unacceptable character #x001b", id="escape"),
+        pytest.param(
+            b"papers: \xff", "1:9: expected UTF-8, found the byte 0xff", id="another encoding"),
+        pytest.param(b"papers: !!python/name:os.system", "1:9: broken YAML: could not", id="code"),
+    ],
+)  # fmt: skip
+def test_hostile_file(folder, monkeypatch, text, message):
+    monkeypatch.chdir(folder)
+    FILE.write_bytes(text)
+    with pytest.raises(BadInput) as caught:
+        read_settings(FILE)
+    assert str(caught.value).startswith(f"config.yaml:{message}")
+
+
+def test_no_file(folder, monkeypatch):
+    monkeypatch.chdir(folder)
+    with pytest.raises(BadInput, match=r"config.yaml:1:1: expected a file, found none"):
+        read_settings(FILE)
 
 
 def test_our_own_file(root):

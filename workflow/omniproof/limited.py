@@ -11,7 +11,6 @@ from __future__ import annotations
 import os
 import resource
 import signal
-import sys
 from collections.abc import Callable
 
 MAX_MEMORY = 4 * 1024**3
@@ -29,7 +28,7 @@ def limited(work: Callable[[], str], seconds: float) -> str:
     Raises `LimitError` past either, and `ChildProcessError` for a process that crashed. What the
     work changes in memory is lost.
     """
-    sys.stdout.flush()
+    _open_standard_streams()
     reading, writing = os.pipe()
     child = os.fork()
     if not child:
@@ -45,6 +44,13 @@ def limited(work: Callable[[], str], seconds: float) -> str:
         raise
     _ask(os.waitpid(child, 0)[1], seconds)
     return text
+
+
+def _open_standard_streams() -> None:
+    """Put the null device where the shell closed a stream, so that no pipe takes its number."""
+    while (number := os.open(os.devnull, os.O_RDWR)) <= 2:
+        pass
+    os.close(number)
 
 
 def _work(work: Callable[[], str], seconds: float, writing: int) -> None:

@@ -146,6 +146,10 @@ class Registry:
     conventions: dict[str, Convention] = field(default_factory=dict)
     abbreviations: dict[str, Callable[[], Expr]] = field(default_factory=dict)
     """LaTeX for an expression that would fill a line wherever it occurs in a derived form."""
+    arguments: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
+    """What a quantity is a function of, by its name."""
+    ranges: dict[Symbol, tuple[Expr, Expr]] | None = None
+    """Open intervals that symbols are confined to in the whole paper; None: nobody said."""
 
     def derives(
         self,
@@ -175,13 +179,18 @@ class Registry:
 
         return bind
 
-    def quantity(self, name: str) -> Bind:
-        """Give a printed symbol of role `quantity` its meaning, by the symbol's `name`."""
+    def quantity(self, name: str, of: Sequence[Symbol] = ()) -> Bind:
+        """Give a printed symbol of role `quantity` its meaning, by the symbol's `name`.
+
+        With `of`, it is a function: printed arguments take the place of these symbols.
+        Raises `ValueError` when a name is bound twice.
+        """
 
         def bind(build: Callable[..., Derived]) -> Callable[..., Derived]:
             if name in self.quantities:
                 raise ValueError(f"{self.paper}: two meanings for {name}")
             self.quantities[name] = build
+            self.arguments[name] = tuple(of)
             return build
 
         return bind

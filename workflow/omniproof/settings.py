@@ -15,6 +15,8 @@ import yaml
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints, ValidationError
 
 from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.files import read_text
+from omniproof.visible import one_line
 
 Key = Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9-]*$")]
 Number = Annotated[int, Field(ge=1, strict=True)]
@@ -91,7 +93,7 @@ def read_settings(
     `overrides` replace values at the top level: what Snakemake was given on its command line.
     Raises `BadInput` with all faults.
     """
-    text = (root / file).read_text(encoding="utf-8")
+    text = read_text(root / file)
     values = {**_load(file, text), **overrides}
     try:
         settings = Settings.model_validate(values)
@@ -112,18 +114,27 @@ def module_name(paper: str) -> str:
 
 def _load(file: Path, text: str) -> Mapping[str, Any]:
     """Return the keys and values at the top of a YAML text."""
-    line, column, message = 1, 1, "expected keys with values, found something else"
+    mark, message = None, "expected keys with values, found something else"
     try:
-        values = yaml.safe_load(text)
-    except yaml.MarkedYAMLError as error:
-        message = f"broken YAML: {error.problem}"
-        if error.problem_mark:
-            line, column = error.problem_mark.line + 1, error.problem_mark.column + 1
-    else:
-        if isinstance(values, dict):
+        # An alias of aliases would grow without end where a message shows its value.
+        if mark := _first_alias(text):
+            message = "expected values, found an alias of one"
+        elif isinstance(values := yaml.safe_load(text), dict):
             return values
+    except yaml.MarkedYAMLError as error:
+        mark, message = error.problem_mark, f"broken YAML: {error.problem}"
+    except yaml.YAMLError as error:
+        message = f"broken YAML: {one_line(str(error))}"
+    except RecursionError:
+        message = "expected few levels, found a thousand"
+    line, column = (mark.line + 1, mark.column + 1) if mark else (1, 1)
     cure = f"`git diff {file}` shows what was changed"
     raise BadInput([Fault(str(file), line, column, "", message, cure)])
+
+
+def _first_alias(text: str) -> Any:
+    events = yaml.parse(text, Loader=yaml.SafeLoader)
+    return next((e.start_mark for e in events if isinstance(e, yaml.AliasEvent)), None)
 
 
 def _absent(settings: Settings, root: Path) -> Iterator[tuple[Place, str, str]]:

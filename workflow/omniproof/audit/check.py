@@ -20,7 +20,7 @@ from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.definedness import conditions, lost_conditions
 from omniproof.audit.definitions import Parts, parts
-from omniproof.audit.direct import Statement, digits_of, heard, places, printed_side
+from omniproof.audit.direct import Statement, digits_of, entry_of, heard, places, printed_side
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_mixed_differences, refuse_segments, refuse_unclear
@@ -86,6 +86,7 @@ FAVOUR = (
     Finding.VERIFIED,
     Finding.DEFINITION,
     Finding.UNDECIDED,
+    Finding.INVALID,
     Finding.CONDITIONAL,
     Finding.ERRATUM,
 )
@@ -179,19 +180,18 @@ def _in_favour(
     complete: bool,
     judge: Callable[[tree.Node], CheckResult],
 ) -> CheckResult:
-    """Judge the other readings, too; a reading that is no formula is none."""
+    """Judge the other readings, too; what one of them leaves open is not called false."""
     found = [(first, ways[0])]
     for way in ways[1:]:
         found.append((judge(way.node), way))
         if {Finding.VERIFIED} < {result.verdict for result, _ in found}:
             break
-    found = [pair for pair in found if pair[0].verdict is not Finding.INVALID]
-    if not found:
-        return first
     best, way = min(found, key=lambda pair: FAVOUR.index(pair[0].verdict))
     if not complete and best.verdict in {Finding.CONDITIONAL, Finding.ERRATUM}:
         message = "not decided: there are too many ways to read arguments without brackets"
         return CheckResult(Finding.UNDECIDED, best.printed, message=message)
+    if best.verdict is Finding.INVALID:
+        return best
     if len({result.verdict for result, _ in found}) > 1:
         chosen = ", ".join(f"`{printed}` as `{read}`" for printed, read in way.chosen)
         return replace(best, message=f"{best.message}, if one reads {chosen}")
@@ -255,7 +255,7 @@ def _decide(part: Link, setting: Setting) -> Answer:
 
         answer = compare(part.left, part.operator, part.right, setting.domain)
     known = partial(evaluate, meanings=setting.meanings)
-    left, right = (printed_side(side, known, part.index) for side in part.printed)
+    left, right = (entry_of(printed_side(side, known), part.index) for side in part.printed)
     digits = max(map(digits_of, part.printed))
     statement = Statement(left, part.operator, right, digits)
     return heard(answer, statement, partial(places, setting.meanings.values(), setting.domain))

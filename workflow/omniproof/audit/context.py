@@ -52,7 +52,7 @@ class Context:
     def spelling(self) -> Spelling:
         """How the paper writes what is derived."""
         symbols = {
-            self._symbol(symbol): symbol.latex
+            self.sympy_symbol(symbol): symbol.latex
             for symbol in self.loaded.paper.symbols
             if symbol.role is not Role.QUANTITY
         }
@@ -68,7 +68,7 @@ class Context:
     def variables(self) -> frozenset[Symbol]:
         """SymPy's symbols for what the paper prints and does not derive."""
         symbols = self.loaded.paper.symbols
-        return frozenset(self._symbol(s) for s in symbols if s.role is not Role.QUANTITY)
+        return frozenset(self.sympy_symbol(s) for s in symbols if s.role is not Role.QUANTITY)
 
     def value(self, text: str, claim: str) -> Any:
         """Read and evaluate a formula with the symbols of a claim; raises `LatexError`."""
@@ -83,12 +83,13 @@ class Context:
             self.known[printed] = (
                 self.registry.quantities[symbol.name]()
                 if symbol.role is Role.QUANTITY
-                else self._symbol(symbol)
+                else self.sympy_symbol(symbol)
             )
         return self.known[printed]
 
     @staticmethod
-    def _symbol(symbol: PrintedSymbol) -> Symbol:
+    def sympy_symbol(symbol: PrintedSymbol) -> Symbol:
+        """What a variable is in the derivations, by what the paper file says of it."""
         assumption = {"positive": True} if symbol.positive else {"real": True}
         return Symbol(symbol.name, **assumption)
 
@@ -154,7 +155,7 @@ class Context:
     def _ranges(self) -> Iterator[tuple[Symbol, tuple[Any, Any]]]:
         for printed, (lower, upper) in self.loaded.ranges.items():
             if printed in self.loaded.symbols:
-                symbol = self._symbol(self.loaded.symbols[printed])
+                symbol = self.sympy_symbol(self.loaded.symbols[printed])
                 yield symbol, (evaluate(lower, {}), evaluate(upper, {}))
 
     def _stated(self, claim: str) -> list[Any]:

@@ -18,8 +18,9 @@ from functools import cache, reduce
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
+import sympy
 from mpmath import mp
-from sympy import Float, Integral, MatrixBase, S, Symbol
+from sympy import Abs, Add, Float, Integral, MatrixBase, Mul, Pow, S, Symbol, sympify
 from sympy.core.function import AppliedUndef
 
 from omniproof.transcription import tree
@@ -121,31 +122,37 @@ def known_value(known: Any, point: Mapping[Symbol, Any], seed: int = 0) -> Value
         if isinstance(known, MatrixBase):
             rows = known.tolist()
             return mp.matrix([[_digits(entry, point, seed) for entry in row] for row in rows])
-        return _digits(known, point, seed)
+        return _digits(sympify(known), point, seed)
 
 
-def _digits(expression: Any, point: Mapping[Symbol, Any], seed: int) -> Value:
-    if expression.has(AppliedUndef, Integral):
-        expression = _without_functions(expression, point, seed)
-    found = expression.evalf(precision(), subs=dict(point), maxn=400 + precision())
+def _digits(node: Any, point: Mapping[Symbol, Any], seed: int) -> Value:
+    """Evaluate from the inside out; what mpmath has no rule for is left to SymPy."""
+    if node in point:
+        return _number(point[node])
+    if isinstance(node, Integral):
+        return _quadrature(node, point, seed)
+    rule = _DERIVED.get(type(node))
+    if rule is None and not isinstance(node, AppliedUndef):
+        return _number(node) if node.is_Number else _by_sympy(node, point)
+    parts = [_digits(part, point, seed) for part in node.args]
+    if rule is None:
+        return mp.polyval(_polynomial(str(node.func), seed), *parts)
+    return _real(rule(*parts))
+
+
+def _number(item: Any) -> Value:
+    item = sympify(item)
+    return mp.mpf(int(item.p)) / int(item.q) if item.is_Rational else mp.mpf(item)
+
+
+def _by_sympy(node: Any, point: Mapping[Symbol, Any]) -> Value:
+    found = node.evalf(precision(), subs=dict(point), maxn=400 + precision())
     if found.is_Float or found.is_Rational:
-        return mp.mpf(found if found.is_Float else str(found))
+        return _number(found)
     # Where SymPy gives up at `maxn` digits, it returns an expression: that may well be a number.
     undefined = found.is_real is False or found is S.NaN
     kind = UndefinedError if undefined else NotEvaluatedError
-    raise kind(f"no real value of {expression}")
-
-
-def _without_functions(expression: Any, point: Mapping[Symbol, Any], seed: int) -> Any:
-    """Put numbers for integrals and for values of unknown functions, the outermost first."""
-    if isinstance(expression, Integral):
-        return number(_quadrature(expression, point, seed))
-    if isinstance(expression, AppliedUndef):
-        name, (place,) = str(expression.func), expression.args
-        return number(mp.polyval(_polynomial(name, seed), _digits(place, point, seed)))
-    if not expression.args:
-        return expression
-    return expression.func(*(_without_functions(a, point, seed) for a in expression.args))
+    raise kind(f"no real value of {node}")
 
 
 def _quadrature(outer: Integral, point: Mapping[Symbol, Any], seed: int) -> Value:
@@ -317,6 +324,24 @@ _FUNCTIONS: dict[str, Callable[[Value], Value]] = {
     "arcsin": _within_one(mp.asin), "arccos": _within_one(mp.acos), "arctan": mp.atan,
     "sqrt": _root, "det": mp.det,
 }  # fmt: skip
+
+
+def _to_the(base: Value, exponent: Value) -> Value:
+    if mp.isint(exponent):
+        return _power(base, int(exponent))
+    if mp.isint(2 * exponent):
+        return _power(_real(_root(base)), int(2 * exponent))
+    return mp.power(base, exponent)
+
+
+_DERIVED: dict[Any, Callable[..., Value]] = {
+    Add: lambda *parts: mp.fsum(parts), Mul: lambda *parts: mp.fprod(parts), Pow: _to_the,
+    type(sympy.pi): lambda: +mp.pi, Abs: abs, sympy.atan2: _angle,
+    sympy.sin: mp.sin, sympy.cos: mp.cos, sympy.atan: mp.atan,
+    **{getattr(sympy, name): _FUNCTIONS[name] for name in ("tan", "cot", "sec", "csc")},
+    sympy.asin: _FUNCTIONS["arcsin"], sympy.acos: _FUNCTIONS["arccos"],
+}  # fmt: skip
+"""What derived expressions are made of."""
 
 _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Value]], Value]] = {
     tree.Number: lambda node, parts: mp.mpf(node.text),

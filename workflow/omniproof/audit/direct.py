@@ -54,17 +54,20 @@ class Place(dict[Any, Any]):
 
     def __init__(self, numbers: Mapping[Any, Any]) -> None:
         super().__init__(numbers)
-        self.values_at: dict[tuple[Any, int], Value] = {}
+        self.found: dict[tuple[object, int], Value] = {}
 
     def value(self, known: Any) -> Value:
         """Evaluate a SymPy expression or matrix; raises `UndefinedError` as `known_value` does."""
         own = self.get(known)
         if own is not None and own.is_Rational:
             return mp.mpf(int(own.p)) / int(own.q)
-        key = known, mp.dps
-        if key not in self.values_at:
-            self.values_at[key] = known_value(known, self)
-        return self.values_at[key]
+        return self.once(known, lambda: known_value(known, self))
+
+    def once(self, key: object, evaluated: Callable[[], Value]) -> Value:
+        """Return what is evaluated here, to the digits that are worked to, for a key."""
+        if (key, mp.dps) not in self.found:
+            self.found[key, mp.dps] = evaluated()
+        return self.found[key, mp.dps]
 
 
 Side: TypeAlias = Callable[[Place], Value]
@@ -231,25 +234,33 @@ def places(symbols: Iterable[Any], domain: Domain) -> Iterator[Place]:
         yield Place({s: sp.Rational(int(x.p), int(x.q)) for s, x in sample.items()})
 
 
-def printed_side(
-    node: tree.Node, known: Callable[[tree.Symbolic], Any], index: tuple[int, int] = (0, 0)
-) -> Side:
-    """Return what evaluates a printed side at a place; of a matrix, the entry at an index.
+def printed_side(node: tree.Node, known: Callable[[tree.Symbolic], Any]) -> Side:
+    """Return what evaluates a printed side at a place, at each once.
 
     `known` gives what a symbol means, as a SymPy expression or matrix.
     """
+    own = object()
 
-    def side(place: Place) -> Value:
+    def evaluated(place: Place) -> Value:
         def meaning(symbol: tree.Symbolic, bound: Mapping[str, Value]) -> Value:
             if symbol.name in bound:
                 return bound[symbol.name]
             moved = {known(tree.Name(name)): number(x) for name, x in bound.items()}
             return (Place({**place, **moved}) if moved else place).value(known(symbol))
 
-        found = value(node, meaning)
+        return value(node, meaning)
+
+    return lambda place: place.once(own, lambda: evaluated(place))
+
+
+def entry_of(side: Side, index: tuple[int, int]) -> Side:
+    """Return what evaluates an entry of a matrix; a number is its own."""
+
+    def entry(place: Place) -> Value:
+        found = side(place)
         return found[index] if isinstance(found, mp.matrix) else found
 
-    return side
+    return entry
 
 
 def digits_of(node: tree.Node) -> int:

@@ -8,7 +8,7 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from omniproof.audit.answer import REALS, Answer, Domain, Proved
+from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
 from omniproof.audit.ledger import Repair, Row, Verdict
@@ -20,6 +20,8 @@ from omniproof.registry import Modelled
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
 from omniproof.transcription.reader import read_with
+from omniproof.transcription.readings import Reading, readings
+from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Node, Span
 
 MOST_SHOWN = 2
@@ -57,7 +59,8 @@ def judge_identity(claim: Claim, context: Context) -> list[Row]:
 
 def count_faults(claim: Claim, context: Context) -> int:
     """Count the cells of a claim that are not plainly true, without looking for a repair."""
-    return sum(not isinstance(_compare(cell)[0], Proved) for cell in _cells(claim, context))
+    cells = _cells(claim, context)
+    return sum(not isinstance(_in_favour(cell, claim, context)[0], Proved) for cell in cells)
 
 
 def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
@@ -103,11 +106,11 @@ def _printed_cells(claim: Claim, context: Context, derived: Any) -> Iterator[Cel
 
 
 def _judge_cell(cell: Cell, claim: Claim, context: Context, voice: Voice) -> Row:
-    answer, place = _compare(cell)
-    for node in cell.nodes if isinstance(answer, Proved) else cell.nodes[place : place + 1]:
-        answer = voice.equal(answer, node, cell.index, cell.derived)
+    answer, place, way = _in_favour(cell, claim, context)
+    answer = _heard(answer, place, way, cell, voice)
     shown = {"printed": cell.text, "derived": context.spelling.latex(cell.derived / cell.factor)}
     row = answered(start(claim, context, cell.id).model_copy(update=shown), answer, context)
+    row = with_note(row, _told(way))
     if row.verdict is not Verdict.ERRATUM:
         return row
     if _follows_from_premises(cell):
@@ -126,6 +129,42 @@ def _rivals(others: Sequence[str]) -> str:
     if len(others) > MOST_SHOWN:
         return f"{len(others)} other edits of the same size would make it true, too"
     return f"as small an edit: ${'$, or $'.join(others)}$" if others else ""
+
+
+def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int, Reading | None]:
+    """Compare a cell; a side that is false is read in the other ways, too, that its print allows.
+
+    Gives the reading that makes it true, if it is not the usual one.
+    """
+    answer, place = _compare(cell)
+    if not isinstance(answer, Refuted):
+        return answer, place, None
+    begin, end = cell.places[place]
+    for way in readings(cell.text[begin:end], context.loaded.paper.notation, context.names)[0][1:]:
+        try:
+            side = context.evaluate(claim.id, way.node) * cell.factor
+        except LatexError:  # shapes that do not fit: no formula in this reading
+            continue
+        sides = (*cell.sides[:place], side, *cell.sides[place + 1 :])
+        found, _ = _compare(replace(cell, sides=sides))
+        if isinstance(found, Proved):
+            return found, place, way
+    return answer, place, None
+
+
+def _told(way: Reading | None) -> str:
+    if way is None:
+        return ""
+    return f"true if one reads {', '.join(f'${one}$ as ${other}$' for one, other in way.chosen)}"
+
+
+def _heard(answer: Answer, place: int, way: Reading | None, cell: Cell, voice: Voice) -> Answer:
+    """Ask direct evaluation of each side that was found true, or of the one that was not."""
+    if way is not None:
+        return voice.equal(answer, way.node, (), cell.derived / cell.factor)
+    for node in cell.nodes if isinstance(answer, Proved) else cell.nodes[place : place + 1]:
+        answer = voice.equal(answer, node, cell.index, cell.derived)
+    return answer
 
 
 def _compare(cell: Cell) -> tuple[Answer, int]:

@@ -8,18 +8,22 @@ from pathlib import Path
 
 from sympy import MatrixBase
 
+from omniproof.audit.agreement import disagreements
 from omniproof.audit.attribution import attribute
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Ledger
-from omniproof.audit.readings import load_readings
+from omniproof.audit.other_notation import misread
+from omniproof.audit.own_text import refuse_own_text
+from omniproof.audit.readings import load_readings, unfit
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_sound_part
 from omniproof.transcription.matching import unmatched
 from omniproof.transcription.model import Claim, Form, Kind, Role
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import names
 
@@ -28,10 +32,12 @@ def audit_paper(folder: Path) -> Ledger:
     """Return the ledger of the paper in a folder of `paper_data`; raises `BadInput`."""
     context = prepare_to_judge(folder)
     rows = [row for claim in context.loaded.claims for row in judge_claim(claim, context)]
+    if faults := list(misread(rows, context)):
+        raise BadInput(faults)
     return Ledger(
         paper=context.loaded.paper.key,
         claims=len(context.loaded.claims),
-        rows=tuple(attribute(rows, context)),
+        rows=tuple(refuse_own_text(row, context) for row in attribute(rows, context)),
     )
 
 
@@ -53,6 +59,7 @@ def prepare(folder: Path) -> Context:
             loaded, set(registry.derivations), set(registry.quantities), set(context.readings)
         ),
     ]
+    found += [*unfit(context.readings, loaded), *disagreements(context)]
     sound = [claim for claim in loaded.claims if _can_be_evaluated(claim, context, found)]
     found += [fault for claim in sound for fault in _unfit(claim, context)]
     found += [fault for claim in loaded.claims for fault in _no_domain(claim, context)]
@@ -88,7 +95,11 @@ def _has_meaning(printed: str, context: Context) -> bool:
     if printed not in symbols:
         return printed.removeprefix("\\det ") in symbols
     symbol = symbols[printed]
-    return symbol.role is not Role.QUANTITY or symbol.name in quantities
+    if symbol.role is not Role.QUANTITY:
+        return True
+    return symbol.name in quantities and all(
+        _has_meaning(symbol_name(latex), context) for latex in symbol.of
+    )
 
 
 def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
@@ -110,9 +121,9 @@ def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
 
 def _no_domain(claim: Claim, context: Context) -> Iterator[Fault]:
     """Find assumptions that cannot be evaluated, or that nothing fulfils."""
-    stated = context.loaded.assumptions.get(claim.id, ())
+    formulas = context.loaded.formulas(claim.id)
     derived = claim.id in context.registry.derivations
-    if not derived or not all(_has_meaning(n, context) for node in stated for n in names(node)):
+    if not derived or not all(_has_meaning(n, context) for node in formulas for n in names(node)):
         return
     try:
         context.domain(claim.id)

@@ -23,7 +23,7 @@ OPERATORS = {"\\nabla": "`\\nabla` is an operator", "\\mathrm{d}": "`\\mathrm{d}
 POINTS = re.compile(r"\\angle .*|\\(?:vec|overrightarrow|overline|widehat)\{[A-Z]{2,}\}")
 """Names made of points: `\\overrightarrow{AB}`."""
 ARRAYS = re.compile(
-    r"\\(?:mathbf|boldsymbol|bm|vec|overrightarrow)(?![A-Za-z])"
+    r"\\(?:mathbf|boldsymbol|bm|vec|overrightarrow|underline)(?![A-Za-z])"
     r"|\\(?:mathrm|mathsf|mathbb|mathcal|mathfrak)\s*\{?\s*[A-Z]"
 )
 """What is set like this is a vector or a matrix, as long as nobody says otherwise."""
@@ -82,6 +82,7 @@ class _Unclear:
                 self.derivative(item)
             if isinstance(item, tree.Product):
                 self.powers_applied(item)
+                self.mixed_number(item)
         self.fonts()
         self.differentials()
         self.functions_of_sums()
@@ -129,6 +130,18 @@ class _Unclear:
                 continue
             if isinstance(base, tree.Name) and not isinstance(second, tree.Sum):
                 self.applied(tree.Node(span=(first.span[0], second.span[1])))
+
+    def mixed_number(self, item: tree.Product) -> None:
+        r"""Refuse `1\frac{1}{2}`, which may be 3/2."""
+        for first, second in pairwise(item.factors):
+            fraction = isinstance(second, tree.Quotient) and all(
+                isinstance(part, tree.Number) for part in tree.children(second)
+            )
+            begin, end = first.span[1], second.span[0]
+            if isinstance(first, tree.Number) and fraction and "*" not in self.text[begin:end]:
+                both = tree.Node(span=(first.span[0], second.span[1]))
+                message = f"`{self.printed(both)}` may be a sum or a product"
+                self.say(both, message, "write `+` or `\\cdot` between number and fraction")
 
     def derivative(self, item: tree.Quotient) -> None:
         r"""Refuse `\frac{dy}{dx}`."""
@@ -192,10 +205,13 @@ class _Unclear:
 
     def commuting(self, item: tree.Node) -> None:
         """Refuse what is true or false of numbers, and may not be so of vectors and matrices."""
+        cure = IN_ENTRIES
         match item:
             case tree.Norm(operand=operand):
-                literal = any(isinstance(part, _LITERALS) for part in tree.walk(operand))
-                unclear = bool(tree.names(operand)) and not literal
+                unclear = bool(tree.names(operand)) and not _has_literal(operand)
+            case tree.Cross(left=left, right=right) if not _has_literal(item):
+                unclear = bool(tree.names(left) and tree.names(right))
+                cure = f"{IN_ENTRIES}; write `\\cdot` between numbers"
             case tree.Product() | tree.Dot() | tree.Cross() | tree.Inner():
                 unclear = self._multiplied(tree.children(item))
             case tree.Quotient(denominator=below):
@@ -208,13 +224,12 @@ class _Unclear:
                 return
         if unclear:
             message = f"`{self.printed(item)}` may be of vectors or matrices, which do not commute"
-            self.say(item, message, IN_ENTRIES)
+            self.say(item, message, cure)
 
     def _multiplied(self, factors: tuple[tree.Node, ...]) -> bool:
         """Whether a named vector or matrix meets another one, or a printed one."""
         named = sum(map(self.has_array, factors))
-        printed = sum(any(isinstance(part, _LITERALS) for part in tree.walk(each))
-                      for each in factors)  # fmt: skip
+        printed = sum(map(_has_literal, factors))
         return named > 1 or (named > 0 and printed > 0)
 
 
@@ -227,6 +242,11 @@ def is_raised(node: tree.Node) -> bool:
 
 
 _LITERALS = (tree.MatrixLiteral, tree.Tuple)
+
+
+def _has_literal(node: tree.Node) -> bool:
+    """Whether a vector or matrix is printed with its entries."""
+    return any(isinstance(part, _LITERALS) for part in tree.walk(node))
 
 
 def _factors(node: tree.Node) -> tuple[tree.Node, ...]:

@@ -7,14 +7,18 @@ from functools import cache, lru_cache
 from itertools import islice
 from typing import Any
 
+from sympy import Integral
+
 from omniproof.audit.answer import Answer
 from omniproof.audit.context import Context
-from omniproof.audit.direct import Place, Side, Statement, heard, places, printed_side
+from omniproof.audit.direct import Place, Statement, entry_of, heard, places, printed_side
 from omniproof.transcription.expression import Function, evaluate
 from omniproof.transcription.tree import Node
 
 MOST_PLACES = 12
 """Enough for three that count: papers print what is defined almost everywhere."""
+ONE = 1
+"""At each, an integral of integrals takes a second."""
 
 
 class Voice:
@@ -22,18 +26,20 @@ class Voice:
 
     def __init__(self, claim: str, context: Context) -> None:
         self.claim, self.context = claim, context
-        self.known = cache(lambda node: evaluate(node, context.meanings_at(claim, node)))
-
-    def side(self, node: Node, index: tuple[int, ...] = ()) -> Side:
-        """Return what evaluates a printed part, or its entry at an index that counts from 1."""
-        row, column = (*index, 1, 1)[:2]
-        return printed_side(node, self.known, (row - 1, column - 1))
+        known = cache(lambda node: evaluate(node, context.meanings_at(claim, node)))
+        self.side = cache(lambda node: printed_side(node, known))
 
     def equal(self, answer: Answer, printed: Node, index: tuple[int, ...], derived: Any) -> Answer:
-        """Ask about an answer on a printed side and what it should be; raises as `heard` does."""
+        """Ask about an answer on a printed side and what it should be; raises as `heard` does.
+
+        Of a matrix, about the entry at a printed index, which counts from 1.
+        """
+        row, column = (*index, 1, 1)[:2]
+        side = entry_of(self.side(printed), (row - 1, column - 1))
         symbols = self._symbols(printed).union(derived.free_symbols)
-        statement = Statement(self.side(printed, index), "=", lambda place: place.value(derived))
-        return heard(answer, statement, lambda: self._places(symbols))
+        statement = Statement(side, "=", lambda place: place.value(derived))
+        most = ONE if derived.has(Integral) else MOST_PLACES
+        return heard(answer, statement, lambda: islice(self._places(symbols), most))
 
     def _symbols(self, printed: Node) -> frozenset[Any]:
         """Collect what the printed symbols are expressions in."""

@@ -37,6 +37,6 @@ def kind(value: Value) -> str:
             return f"a {rows}×{columns} matrix"
         case Term():
             return "a number"
-        case tuple():
-            return "a list"
+        case tuple() | Cases():
+            return "a list" if isinstance(value, tuple) else "cases"
     return "a statement"

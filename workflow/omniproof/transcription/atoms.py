@@ -313,4 +313,6 @@ def _is_plain(node: Node) -> bool:
 
 
 def _habit(text: str) -> str:
+    if text == ".":
+        return "write 0 before the point"
     return "put the signed part into brackets" if text in {"-", "+"} else ""

@@ -6,6 +6,7 @@ other entries are broken, so that one run shows everything there is to mend.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -54,6 +55,7 @@ class Check:
     claims: dict[int, Claim] = field(default_factory=dict)
     cells: dict[str, tuple[Cell, ...]] = field(default_factory=dict)
     positions: dict[str, Position] = field(default_factory=dict)
+    declared_at: dict[tuple[str, str], Position] = field(default_factory=dict)
     sources: dict[str, str] = field(default_factory=dict)
     trees: dict[str, Node] = field(default_factory=dict)
     points: dict[str, tuple[Node, ...]] = field(default_factory=dict)
@@ -149,11 +151,25 @@ class Check:
             # The first of two entries counts, so that formulas can be read and their faults told.
             self.symbols.setdefault(name, symbol)
             by_name.setdefault(symbol.name, i)
+            for key in Symbol.model_fields:
+                place = Position(self.document.name, *self.document.place(("symbols", i, key)))
+                self.declared_at.setdefault((symbol.name, key), place)
             if symbol.range:
                 self.read_range(i, name, symbol.range)
         variables = [s.latex for s in self.symbols.values() if s.role is not Role.QUANTITY]
         for i, symbol in symbols.items():
             self.check_arguments(i, symbol, variables)
+        self.check_spelling(by_name)
+
+    def check_spelling(self, by_name: Mapping[str, int]) -> None:
+        r"""No symbol has the name that another one is printed by: two that were swapped."""
+        for printed, symbol in self.symbols.items():
+            spelled = "_".join(re.findall("[A-Za-z0-9]+", printed))
+            if spelled != symbol.name and spelled in by_name:
+                line = self.document.place(("symbols", by_name[spelled]))[0]
+                message = f"expected `{spelled}`, as `{printed}` is printed, found `{symbol.name}`"
+                path: Path_ = ("symbols", by_name[symbol.name], "name")
+                self.fault(path, message, f"line {line} has that name")
 
     def check_arguments(self, i: int, symbol: Symbol, variables: Sequence[str]) -> None:
         """What a quantity is a function of are declared variables."""

@@ -27,7 +27,8 @@ class LoadedPaper:
     their LaTeX, fragments joined by a blank, and `trees` what was read from it, both by claim id;
     `points` are the trees of `asserts.at`. `symbols` are keyed by canonical name. `broken` are the
     names of entries that were left out for their faults. `assumptions` are the trees of `assumes`
-    by claim id, `ranges` the two ends of the range of a symbol by canonical name.
+    by claim id, `ranges` the two ends of the range of a symbol by canonical name. `declared_at`
+    says where a key of a symbol stands, by the symbol's name and the key.
     """
 
     paper: Paper
@@ -41,6 +42,12 @@ class LoadedPaper:
     broken: frozenset[str] = frozenset()
     assumptions: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
     ranges: Mapping[str, tuple[Node, ...]] = field(default_factory=dict)
+    declared_at: Mapping[tuple[str, str], Position] = field(default_factory=dict)
+
+    def formulas(self, claim: str) -> tuple[Node, ...]:
+        """Return all that a claim prints: its formula, its points, what it assumes."""
+        whole = (self.trees[claim],) if claim in self.trees else ()
+        return (*whole, *self.points.get(claim, ()), *self.assumptions.get(claim, ()))
 
 
 def load_paper(folder: Path) -> LoadedPaper:
@@ -78,6 +85,7 @@ def load_sound_part(folder: Path) -> tuple[LoadedPaper, tuple[Fault, ...]]:
         check.broken(),
         check.assumptions,
         check.ranges,
+        check.declared_at,
     )
     return loaded, tuple(check.faults)
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from contextlib import suppress
 
-from omniproof.transcription.faults import Fault
+from omniproof.transcription.faults import Fault, shorten
 from omniproof.transcription.files import display_name
 from omniproof.transcription.loader import FILE, LoadedPaper, Position
 from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Claim, Kind, Role
+from omniproof.transcription.symbols import symbol_name
+from omniproof.transcription.tokens import LatexError
 
 DERIVED = frozenset({Kind.IDENTITY, Kind.VALUE, Kind.RELATION})
 
@@ -30,6 +33,7 @@ def unmatched(
             *_without_claim(loaded, derivation_ids, "derivation"),
             *_quantities(loaded, quantity_names),
             *_readings(loaded, reading_ids),
+            *_looked_for(loaded, reading_ids),
             *_without_claim(loaded, reading_ids, "reading"),
         ]
     )
@@ -64,6 +68,20 @@ def _readings(loaded: LoadedPaper, ids: Collection[str]) -> Iterator[Fault]:
             yield _fault(loaded, claim.id, message, cure)
 
 
+def _looked_for(loaded: LoadedPaper, read: Collection[str]) -> Iterator[Fault]:
+    """Find symbols that references are about and nobody declared: no place can show them."""
+    for claim in loaded.claims:
+        computed = claim.target and claim.id not in read and not claim.uncheckable
+        if claim.kind is not Kind.REFERENCE or not claim.about or not computed:
+            continue
+        with suppress(LatexError):
+            if symbol_name(claim.about) not in loaded.symbols:
+                message = f"expected `about` to be a declared symbol, found {shorten(claim.about)}"
+                latex = [symbol.latex for symbol in loaded.symbols.values()]
+                cure = nearest(claim.about, latex, "declare it under `symbols`")
+                yield _fault(loaded, claim.id, message, cure)
+
+
 def _without_claim(loaded: LoadedPaper, ids: Collection[str], kind: str) -> Iterator[Fault]:
     known = set(loaded.positions) | loaded.broken
     wholes = {_whole(claim) for claim in known}
@@ -76,20 +94,30 @@ def _without_claim(loaded: LoadedPaper, ids: Collection[str], kind: str) -> Iter
 
 
 def _quantities(loaded: LoadedPaper, given: Collection[str]) -> Iterator[Fault]:
-    declared = {symbol.name for symbol in loaded.symbols.values() if symbol.role is Role.QUANTITY}
-    for name in declared - set(given):
+    roles = {symbol.name: symbol.role for symbol in loaded.symbols.values()}
+    declared = {name for name, role in roles.items() if role is Role.QUANTITY}
+    bare, free = declared - set(given), set(given) - declared
+    for name in bare:
         message = f"expected a meaning of the quantity `{name}`, found none"
-        cure = f'add a function with `@REGISTRY.quantity("{name}")` to {_code(loaded)}'
-        yield _fault(loaded, "", message, cure, f"symbols[{name}]")
-    for name in set(given) - declared - loaded.broken:
+        add = f'add a function with `@REGISTRY.quantity("{name}")` to {_code(loaded)}'
+        yield _symbol_fault(loaded, name, "name", message, nearest(name, free, add))
+    for name in free - loaded.broken:
         message = f"expected a symbol with `role: quantity` for the meaning `{name}`, found none"
-        yield _fault(loaded, "", message, nearest(name, declared, "declare it under `symbols`"))
+        if name in roles:
+            yield _symbol_fault(loaded, name, "role", message, "write `role: quantity`")
+        elif not nearest(name, bare):  # else it is a slip in that name, which is told
+            yield _fault(loaded, "", message, "declare it under `symbols`")
 
 
-def _fault(loaded: LoadedPaper, claim: str, message: str, cure: str, path: str = "") -> Fault:
+def _symbol_fault(loaded: LoadedPaper, name: str, key: str, message: str, cure: str) -> Fault:
+    place = loaded.declared_at[name, key]
+    return Fault(place.file, place.line, place.column, f"symbols[{name}].{key}", message, cure)
+
+
+def _fault(loaded: LoadedPaper, claim: str, message: str, cure: str) -> Fault:
     file = Position(display_name(loaded.folder / FILE), 1, 1)
     place = loaded.positions.get(claim, file)
-    path = path or (f"claims[{claim}]" if claim else "")
+    path = f"claims[{claim}]" if claim else ""
     return Fault(place.file, place.line, place.column, path, message, cure)
 
 

@@ -100,7 +100,7 @@ def _missing(error: dict[str, Any]) -> Said:
 def _extra(error: dict[str, Any]) -> Said:
     path = error["loc"]
     parents = [MODELS[step] for step in path[:-1] if step in MODELS]
-    known = sorted((parents or [model.Paper])[-1].model_fields)
+    known = error.get("known") or sorted((parents or [model.Paper])[-1].model_fields)
     cure = nearest(str(path[-1]), known, "leave it out")
     return f"expected one of {', '.join(known)}, found {shorten(str(path[-1]))}", cure
 

@@ -143,6 +143,9 @@ class Symbol(Record):
     def _complete(self) -> Self:
         if self.of and self.role is not Role.QUANTITY:
             raise ValueError("`of` belongs to role quantity")
+        for key in ("positive", "range"):
+            if getattr(self, key) and self.role is not Role.VARIABLE:
+                raise ValueError(f"`{key}` belongs to role variable")
         return self
 
 
@@ -209,6 +212,12 @@ class Claim(Record):
             raise ValueError(f"a claim of kind {self.kind} needs `{needs}`")
         if self.kind is Kind.VALUE:
             _check_decimal(str(self.printed))
+        if (
+            self.asserts
+            and self.asserts.form in {Form.EQUIVALENT, Form.INSTANCE}
+            and not self.latex
+        ):
+            raise ValueError(f"a relation of form {self.asserts.form} needs `latex`")
         return self
 
     @model_validator(mode="after")

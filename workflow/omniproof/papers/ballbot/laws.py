@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from sympy import Expr, ImmutableMatrix, Symbol, atan, diag, sqrt
+from sympy import Expr, ImmutableMatrix, Integer, Symbol, atan, diag, pi, sqrt
 
 from omniproof.kinematics import ballbot
 
 PHI = Symbol("phi", real=True)
 """Zenith angle of the wheels, from the lowest point of the inner surface (rad)."""
+
+LOWER_HALF = (Integer(0), pi / 2)
+"""Zenith angles of wheels on the lower half of the ball (rad)."""
 
 RUNNING_RADIUS = Symbol("L", positive=True)
 BALL_RADIUS = Symbol("rho", positive=True)

@@ -6,7 +6,7 @@ from sympy import Expr, Integer, Symbol, diff, pi
 
 from omniproof.kinematics import ballbot, frames
 from omniproof.papers.ballbot.derivations.quantities import REGISTRY
-from omniproof.papers.ballbot.laws import BALL_RADIUS, PHI, RUNNING_RADIUS, rolling
+from omniproof.papers.ballbot.laws import BALL_RADIUS, LOWER_HALF, PHI, RUNNING_RADIUS, rolling
 from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 
@@ -58,7 +58,7 @@ def stiffness_again() -> Family:
 def determinant_of_law() -> Family:
     """Determinant of the law of the rolling ball, all lengths in units of its radius."""
     law = rolling().subs({RUNNING_RADIUS: 1, BALL_RADIUS: 1})
-    return Family(law.det(method="berkowitz"), {PHI: (Integer(0), pi / 2)})
+    return Family(law.det(method="berkowitz"), {PHI: LOWER_HALF})
 
 
 @REGISTRY.derives("sec:1/three-wheels", "sec:3/three-wheels", "sec:5/three-wheels")

@@ -21,10 +21,10 @@ from sympy import (
 )
 
 from omniproof.kinematics import frames, omni, rolling
-from omniproof.papers.ballbot.laws import PHI, RUNNING_RADIUS
+from omniproof.papers.ballbot.laws import LOWER_HALF, PHI, RUNNING_RADIUS
 from omniproof.registry import Registry
 
-REGISTRY = Registry("ballbot")
+REGISTRY = Registry("ballbot", ranges={PHI: LOWER_HALF})
 AXES = "xyz"
 WHEELS = (1, 2, 3)
 

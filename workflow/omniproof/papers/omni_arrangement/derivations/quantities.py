@@ -28,7 +28,7 @@ from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import isosceles
 from omniproof.registry import Registry
 
-REGISTRY = Registry("omni-arrangement")
+REGISTRY = Registry("omni-arrangement", ranges={})
 
 ANGLES = symbols("alpha_1:4", real=True)
 ANGLE = Symbol("alpha_k", real=True)
@@ -153,7 +153,7 @@ def determinant() -> Expr:
     return general().determinant
 
 
-@REGISTRY.quantity("D_V")
+@REGISTRY.quantity("D_V", of=[THETA])
 def volume_of_family() -> Expr:
     """Image volume of the isosceles family."""
     return image_volume(factor(expand(platform(isosceles(THETA)).determinant)))

@@ -25,7 +25,7 @@ from omniproof.kinematics import omni, trajectory
 from omniproof.papers.omni_trajectory.setup import ANGLES
 from omniproof.registry import Registry
 
-REGISTRY = Registry("omni-trajectory")
+REGISTRY = Registry("omni-trajectory", ranges={})
 
 FREE_ANGLES = symbols("alpha_1:4", real=True)
 BODY_RADIUS = Symbol("L", positive=True)
@@ -134,7 +134,7 @@ for _k in range(3):
 for _k, _name in enumerate(("V_x", "V_y")):
     REGISTRY.quantity(_name)(lambda k=_k: VELOCITY[k])
 for _name in ("X_model", "Y_model", "X_experiment", "Y_experiment"):
-    REGISTRY.quantity(_name)(lambda name=_name: coordinate(name))
+    REGISTRY.quantity(_name, of=[TIME])(lambda name=_name: coordinate(name))
 
 
 def coordinate(name: str) -> Expr:
@@ -143,19 +143,19 @@ def coordinate(name: str) -> Expr:
     return function_of_time(f"{axis}_w^{source[0]}")
 
 
-@REGISTRY.quantity("r_t")
+@REGISTRY.quantity("r_t", of=[TIME])
 def place_by_theory() -> ImmutableMatrix:
     """Place of the robot by theory, any path: 2x1, m."""
     return ImmutableMatrix([coordinate("X_model"), coordinate("Y_model")])
 
 
-@REGISTRY.quantity("r_e")
+@REGISTRY.quantity("r_e", of=[TIME])
 def place_by_experiment() -> ImmutableMatrix:
     """Place of the robot in the simulation, any path: 2x1, m."""
     return ImmutableMatrix([coordinate("X_experiment"), coordinate("Y_experiment")])
 
 
-@REGISTRY.quantity("error")
+@REGISTRY.quantity("error", of=[TIME])
 def mean_relative_distance() -> Expr:
     """Mean over [0, T] of the distance of both places over that from the origin."""
     theory, experiment = place_by_theory(), place_by_experiment()

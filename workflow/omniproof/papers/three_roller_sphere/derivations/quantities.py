@@ -21,7 +21,7 @@ from omniproof.papers.three_roller_sphere.rollers import (
 )
 from omniproof.registry import Registry
 
-REGISTRY = Registry("three-roller-sphere")
+REGISTRY = Registry("three-roller-sphere", ranges={})
 ROLLER = any_roller("i")
 ROLLER_RADIUS = Symbol("rho", positive=True)
 ALONG = Symbol("t", real=True)
@@ -87,6 +87,6 @@ REGISTRY.quantity("Q")(lambda: POINT)
 REGISTRY.quantity("d_i")(lambda: sqrt(squared_distance(ROLLER, POINT)))
 for _k, _roller in enumerate(ROLLERS, 1):
     REGISTRY.quantity(f"d_{_k}")(lambda roller=_roller: sqrt(squared_distance(roller, POINT)))
-REGISTRY.quantity("L")(lambda: sum_at(*POINT))
+REGISTRY.quantity("L", of=list(POINT))(lambda: sum_at(*POINT))
 for _k, _axis in enumerate("xyz"):
     REGISTRY.quantity(f"{_axis}_0")(lambda k=_k: optimum(ROLLERS)[k])

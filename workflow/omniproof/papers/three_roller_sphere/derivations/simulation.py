@@ -62,7 +62,7 @@ def _size(vector: ImmutableMatrix) -> Expr:
 
 
 for _k in (1, 2, 3):
-    REGISTRY.quantity(f"v_{_k}")(lambda k=_k: input_speed(AZIMUTHS[k - 1]))
+    REGISTRY.quantity(f"v_{_k}", of=[PHI])(lambda k=_k: input_speed(AZIMUTHS[k - 1]))
     REGISTRY.derives(f"sec:3/input-{_k}")(lambda k=_k: input_speed(AZIMUTHS[k - 1]))
     REGISTRY.quantity(f"zeta_{_k}")(lambda k=_k: pattern_slips(ELEVATIONS[0])[k - 1])
     REGISTRY.derives(f"sec:3/nonslip-{_k}")(lambda: Integer(0))

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from typing import Any, TypeAlias
 
-from sympy import Expr, ImmutableMatrix, Integer, Symbol, acos, linsolve, symbols, tan
+from sympy import Expr, ImmutableMatrix, Integer, Symbol, acos, linsolve, pi, symbols, tan
 
 from omniproof.kinematics import sphere
 from omniproof.papers.two_roller_sphere.arrangement import (
@@ -55,6 +55,8 @@ ALONG = _symbol("k")
 
 AXIS_ANGLE = _symbol("rho")
 """Angle of the sphere's axis against the ground, rad."""
+
+REGISTRY.ranges = {BETWEEN: (Integer(0), pi), AXIS_ANGLE: (-pi / 2, pi / 2)}
 
 
 @cache
