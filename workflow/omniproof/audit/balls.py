@@ -9,6 +9,7 @@ coefficients (derivatives), which spares symbolic differentiation and its swolle
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
@@ -23,6 +24,7 @@ Memory: TypeAlias = list[Ball]
 Step: TypeAlias = Callable[[Memory], Ball]
 
 
+sys.set_int_max_str_digits(0)  # what is read can also be written: Python's own limit is 4300
 MAX_REASON = 300
 """So many characters of a reason are shown."""
 

@@ -7,7 +7,6 @@ only module of the transcription that needs SymPy.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -41,9 +40,7 @@ class Function:
 AXES = {"x": 0, "y": 1, "z": 2}
 MAX_BITS = 40_000
 """Powers of numbers beyond this size are refused, and so are high powers of matrices."""
-sys.set_int_max_str_digits(0)  # so what is read can also be written: Python's own limit is 4300
-MAX_MATRIX_POWER = 8
-MAX_DIGITS = 1_000
+MAX_MATRIX_POWER, MAX_DIGITS = 8, 1_000
 MAX_ROWS = 6
 """Larger determinants with symbols are refused: n! terms."""
 COMPARE: dict[str, Callable[..., Any]] = {
@@ -394,7 +391,7 @@ def _chain(scope: _Scope, node: tree.Chain) -> Value:
 def _cases(scope: _Scope, node: tree.Cases) -> Value:
     branches = [(scope.number(row.value), scope.truth(row.condition)) for row in node.branches]
     if any(condition.has(sympy.Piecewise) for _, condition in branches):
-        scope.refuse(node, "expected conditions without cases in them", "write the cases out")
+        scope.refuse(node, "expected conditions without cases in them")
     return sympy.Piecewise(*branches)
 
 
