@@ -87,6 +87,11 @@ REFUSED = [
         r"    2\overrightarrow{AB} = -2\overrightarrow{BA}",
         "     ~~~~~~~~~~~~~~~~~~^",
         "    give it a letter of its own"], id="points"),
+    pytest.param(r"2\mathrm{d}W = 2F\,\mathrm{d}s", NONE, [
+        r"what `\mathrm{d}W` has to do with other differentials is not known",
+        r"    2\mathrm{d}W = 2F\,\mathrm{d}s",
+        "     ~~~~~~~~~~^",
+        f"    {DERIVATIVES}"], id="differentials"),
     pytest.param("BM = 2BF", NONE, [
         "`BM` may be one symbol or a product",
         "    BM = 2BF",

@@ -118,8 +118,9 @@ def test_the_engine_knows_no_paper_and_mechanics_no_print() -> None:
     """The design, section 1: data moves down only."""
     graph = import_graph(ROOT / "workflow" / "omniproof")
     known = {start: {b for a, b in graph.arrows if a == start} for start in graph.groups}
-    assert known["audit"] <= {"transcription", "registry"}
-    assert known["transcription"] == set()
+    assert known["audit"] <= {"transcription", "registry", "visible"}
+    assert known["transcription"] == {"visible"}, "which knows nothing itself"
+    assert known["visible"] == set()
     assert not known["kinematics"] & {"papers", "report", "transcription"}
     assert "kinematics" in known["papers"]
     assert not known["papers"] & {"report", "simulation", "figures"}

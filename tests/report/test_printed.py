@@ -29,6 +29,8 @@ def test_a_claim_has_its_latex_its_value_and_its_verdict() -> None:
     assert entry.latex == r"\sin \alpha_1 + \sin \alpha_2"
     assert (entry.value, entry.derived) == (WRONG, RIGHT)
     assert entry.verdict is Verdict.ERRATUM
+    assert entry._repr_latex_() == rf"$\displaystyle {entry.latex}$"
+    assert len(repr(entry)) < 300
     assert printed(ARRANGEMENT, "eq:6").value[1, 2] == WRONG
     assert printed(ARRANGEMENT, "tab:2[X,D_A]").value == sp.Rational(461, 100)
 

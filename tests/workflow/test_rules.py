@@ -33,7 +33,11 @@ ORDER = [
     "script",
 ]
 RULE = re.compile(r"^( *)rule\b.*:\n((?:\1 +.*\n|\n)+)", re.MULTILINE)
-FRAME = {"workflow/omniproof/report/step.py", "workflow/omniproof/transcription/faults.py"}
+FRAME = {
+    "workflow/omniproof/report/step.py",
+    "workflow/omniproof/transcription/faults.py",
+    "workflow/omniproof/visible.py",
+}
 
 
 def files(job, side):

@@ -6,9 +6,8 @@ from pathlib import Path
 from omniproof.audit.ledger import read_json
 from omniproof.report.step import step
 from omniproof.report.summary import summary
-from omniproof.visible import visible
 
 with step(snakemake) as output:
     ledgers = [read_json(Path(path)) for path in snakemake.input.ledgers]
     theorems = json.loads(Path(snakemake.input.theorems).read_text(encoding="utf-8"))
-    output.summary.write_text(visible(summary(ledgers, theorems)), encoding="utf-8")
+    output.summary.write_text(summary(ledgers, theorems), encoding="utf-8")

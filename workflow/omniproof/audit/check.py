@@ -23,7 +23,7 @@ from omniproof.audit.definitions import Parts, parts
 from omniproof.audit.direct import Statement, digits_of, entry_of, heard, places, printed_side
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
-from omniproof.audit.unclear import refuse_mixed_differences, refuse_segments, refuse_unclear
+from omniproof.audit.unclear import refuse_if_false, refuse_mixed_differences, refuse_unclear
 from omniproof.transcription import tree
 from omniproof.transcription.expression import evaluate
 from omniproof.transcription.printer import latex
@@ -230,7 +230,7 @@ def _where_defined(
 
 def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> CheckResult:
     """Add the repairs of a false equation; the further ones are named in the message."""
-    refuse_segments(node, result.printed)
+    refuse_if_false(node, result.printed)
     if any(isinstance(item, tree.Comparison) for item in tree.walk(node)):
         return result
     if len(tokenize(result.printed)) > MOST_TOKENS:

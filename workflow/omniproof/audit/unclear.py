@@ -52,8 +52,17 @@ def refuse_mixed_differences(node: tree.Node, text: str) -> None:
             raise LatexError(message, text, item.span, cure)
 
 
-def refuse_segments(node: tree.Node, text: str) -> None:
-    """Raise `LatexError` where a false equation has a side `AB`, which may be one quantity."""
+def refuse_if_false(node: tree.Node, text: str) -> None:
+    r"""Raise `LatexError` for what may be true after all of an equation that is false of numbers.
+
+    A differential `\mathrm{d}y` hangs on others, and a side `AB` may be one quantity.
+    """
+    for item in tree.walk(node):
+        if _is_differential(item):
+            message = (
+                f"what `{text[slice(*item.span)]}` has to do with other differentials is not known"
+            )
+            raise LatexError(message, text, item.span, NO_DERIVATIVES)
     for side in node.sides if isinstance(node, tree.Chain) else ():
         factors = _factors(side)
         names = [each.name for each in factors if isinstance(each, tree.Name)]

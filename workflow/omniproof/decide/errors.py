@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import sys
+
+sys.set_int_max_str_digits(0)  # what is read can also be written: Python's own limit is 4300
 MAX_REASON = 300
 """So many characters of a reason are shown."""
 

@@ -7,7 +7,6 @@ expressions of a derivation.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -46,7 +45,6 @@ from omniproof.transcription.tokens import LatexError
 AXES = {"x": 0, "y": 1, "z": 2}
 MAX_BITS = 40_000
 """Powers of numbers beyond this size are refused: no paper prints one, and each takes its time."""
-sys.set_int_max_str_digits(0)  # so what is read can also be written: Python's own limit is 4300
 MAX_MATRIX_POWER = 8
 MAX_DIGITS = 1_000
 

@@ -10,7 +10,7 @@ paper's data and judged there and then, and a line that does not hold stops the 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
@@ -55,8 +55,8 @@ class Printed:
     latex: str
     value: Any
     derived: Any
-    rows: tuple[Row, ...]
-    context: Context
+    rows: tuple[Row, ...] = field(repr=False)
+    context: Context = field(repr=False)
 
     def agrees_with(self, formula: Any) -> Fragment:
         """Show that print is right, and that `formula` (SymPy) is what it was judged by.

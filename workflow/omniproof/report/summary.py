@@ -10,6 +10,7 @@ from omniproof.report.findings import consequential, sentence
 from omniproof.report.fragments.counts import verdict_counts
 from omniproof.report.latexfmt import plain
 from omniproof.report.theme import MARKS
+from omniproof.visible import visible
 
 WIDTH = 80
 HEIGHT = 24
@@ -33,7 +34,7 @@ def summary(ledgers: Sequence[Ledger], theorems: Sized) -> str:
             "most consequential findings",
             *(finding_line(row, named=len(ledgers) > 1) for row in found),
         ]
-    return "\n".join([*body, *tail]) + "\n"
+    return visible("\n".join([*body, *tail])) + "\n"
 
 
 def counts_lines(ledger: Ledger) -> list[str]:

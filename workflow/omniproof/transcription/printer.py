@@ -18,7 +18,7 @@ STRENGTHS: dict[type[tree.Node], int] = {
     tree.Chain: STATEMENT, tree.Comparison: STATEMENT, tree.Logic: STATEMENT,
     tree.Listing: STATEMENT, tree.Sum: SUM, tree.Negative: NEGATIVE, tree.Product: PRODUCT,
     tree.Dot: PRODUCT, tree.Cross: PRODUCT, tree.Integral: PRODUCT, tree.Power: POWER,
-    tree.Transpose: POWER,
+    tree.Degrees: POWER, tree.Transpose: POWER,
 }  # fmt: skip
 FUNCTIONS = {"sqrt": "\\sqrt", "atan2": "\\operatorname{atan2}", "det": "\\det"}
 
