@@ -88,10 +88,10 @@ SLIPS = [
         f"{FILE}:13:62: symbols[f].positive: `positive` belongs to role variable"],
         id="a positive function"),
     pytest.param("asserts: {form: increasing}", "asserts: {form: equivalent}", [
-        f"{FILE}:37:5: claims[sec:1/grows]: a relation of form equivalent needs `latex`"],
+        f"{FILE}:38:5: claims[sec:1/grows]: a relation of form equivalent needs `latex`"],
         id="the form of a condition, and none printed"),
     pytest.param("target: 'eq:1', about: x}", "target: 'eq:1', about: xx}", [
-        f"{FILE}:111:10: claims[xref:sec-2-cites-eq-1]: expected `about` to be a declared symbol, "
+        f"{FILE}:112:10: claims[xref:sec-2-cites-eq-1]: expected `about` to be a declared symbol, "
         "found 'xx'", "    did you mean `x`?"], id="a reference to no symbol"),
 ]  # fmt: skip
 
