@@ -18,7 +18,7 @@ from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided,
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.definedness import conditions, lost_conditions
-from omniproof.audit.direct import Statement, digits_of, entry_of, heard, places, printed_side
+from omniproof.audit.direct import heard_on
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.transcription import tree
@@ -143,11 +143,7 @@ def _decide(part: Link, setting: Setting) -> Answer:
         from omniproof.audit.comparison import compare
 
         answer = compare(part.left, part.operator, part.right, setting.domain)
-    known = partial(evaluate, meanings=setting.meanings)
-    left, right = (entry_of(printed_side(side, known), part.index) for side in part.printed)
-    digits = max(map(digits_of, part.printed))
-    statement = Statement(left, part.operator, right, digits)
-    return heard(answer, statement, partial(places, setting.meanings.values(), setting.domain))
+    return heard_on(answer, part, setting)
 
 
 def _result(printed: str, parts: Sequence[Link], answers: Sequence[Answer]) -> CheckResult:

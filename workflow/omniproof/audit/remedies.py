@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from omniproof.audit.answer import Proved
+from omniproof.audit.answer import Answer, Proved
 from omniproof.audit.approximate import ShapeError, Values, at_points, evaluate
 from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.direct import heard_on
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair
 from omniproof.audit.setting import Assumptions, Setting
-from omniproof.audit.statement import links
+from omniproof.audit.statement import Link, links
 from omniproof.audit.zero_test import decide_equal
 from omniproof.transcription import expression, tree
 from omniproof.transcription.tokens import LatexError
@@ -40,8 +41,10 @@ def remedies(
             parts = links(assumptions.read(text), value, text)
         except (LatexError, UnsupportedError):
             return False
-        answers = (decide_equal(part.left, part.right, setting.domain) for part in parts)
-        return all(isinstance(answer, Proved) for answer in answers)
+        return all(isinstance(answer(part), Proved) for part in parts)
+
+    def answer(part: Link) -> Answer:
+        return heard_on(decide_equal(part.left, part.right, setting.domain), part, setting)
 
     quick = _quick_look(node, assumptions, setting.meanings)
     found = repair(printed, is_true, sorted(setting.meanings), quick)
