@@ -1,10 +1,16 @@
-"""An identity is asserted where its printed roots are defined, also those that cancel."""
+"""A statement is made where all that is printed is defined, also what cancels."""
 
 import pytest
+from sympy import Symbol
 
 from omniproof.audit.check import Finding, check
+from omniproof.audit.definedness import conditions, lost_conditions
 from omniproof.audit.setting import Assumptions
+from omniproof.transcription.expression import evaluate
+from omniproof.transcription.reader import read
 
+NONE = Assumptions()
+WAYS = conditions, lost_conditions
 TRUE = Finding.VERIFIED
 FALSE = Finding.ERRATUM
 
@@ -34,3 +40,57 @@ def test_a_root_that_is_defined_nowhere_proves_nothing():
 def test_conditions_without_an_interior_prove_nothing():
     assumptions = Assumptions(between=("0 < x",))
     assert check(r"(\sqrt{-x})^2 = 5", assumptions).verdict is Finding.UNDECIDED
+
+
+FAR = Assumptions(between=("-1 < x < 1",))
+
+
+@pytest.mark.parametrize(
+    ("statement", "assumptions", "verdict"),
+    [
+        pytest.param(r"\frac{x^4}{x^2} > 0", NONE, TRUE, id="a square that cancels"),
+        pytest.param(r"\frac{x^4}{x^2} > 0", FAR, TRUE, id="on a range"),
+        pytest.param(r"\frac{x^2}{x} \neq 0", NONE, TRUE, id="a factor that cancels"),
+        pytest.param(r"\frac{x^2}{x} \neq 0", FAR, TRUE, id="on a range"),
+        pytest.param(r"\frac{x^2}{x} > 0", NONE, FALSE, id="false elsewhere, too"),
+        pytest.param(r"\frac{1}{\frac1L} \neq 0", NONE, TRUE, id="nested fractions"),
+        pytest.param(r"(x^{-1})^{-2} > 0", NONE, TRUE, id="negative powers"),
+        pytest.param(r"\left|\frac{\sin^2\theta}{\sin\theta}\right| > 0", NONE, TRUE, id="a sine"),
+        pytest.param(r"(\frac xy)^2+y^2 > 0", NONE, TRUE, id="0 over 0 at the origin"),
+        pytest.param(r"\frac{(x-y)^2}{x-y} \neq 0", NONE, TRUE, id="a line is left out"),
+        pytest.param(r"(\tan x\cos x)^2 < 1", NONE, TRUE, id="poles that cancel"),
+        pytest.param(r"(\cot x)^2 \sin^2 x < 1", NONE, TRUE, id="of the cotangent"),
+        pytest.param(r"(\sec x)^{-2} > 0", NONE, TRUE, id="of the secant"),
+        pytest.param(r"(\csc x)^{-2} > 0", NONE, TRUE, id="of the cosecant"),
+        pytest.param(r"\sin(\arcsin x) \leq 1", NONE, TRUE, id="the range of an arc sine"),
+        pytest.param(r"\cos(\arccos x) \geq -1", NONE, TRUE, id="of an arc cosine"),
+        pytest.param(r"(\sqrt{x})^2 \geq 0", NONE, TRUE, id="a radicand"),
+        pytest.param(r"(\sqrt{x})^2 > 0", NONE, FALSE, id="that may be 0"),
+        pytest.param(r"\frac{(\sqrt{x})^3}{\sqrt{x}} > 0", NONE, TRUE, id="and here may not"),
+        pytest.param(r"\frac{\sin x}{x} = 1", NONE, FALSE, id="what it tends to is not it"),
+        pytest.param(r"\begin{pmatrix}x&0\\0&x\end{pmatrix}^{-1} "
+                     r"\begin{pmatrix}x&0\\0&x\end{pmatrix} "
+                     r"= \begin{pmatrix}1&0\\0&1\end{pmatrix}", NONE, TRUE, id="an inverse"),
+    ],
+)  # fmt: skip
+def test_orders_are_asserted_where_the_print_is_defined(statement, assumptions, verdict):
+    assert check(statement, assumptions).verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("statement", "needed", "lost"),
+    [
+        pytest.param(r"\frac{x^2}{x}", "Ne(x, 0)", "Ne(x, 0)", id="cancelled"),
+        pytest.param(r"\frac{x}{x + 1}", "Ne(x + 1, 0)", "", id="kept"),
+        pytest.param(r"\frac{x y}{2 x y^2}", "Ne(x, 0), Ne(y, 0)", "Ne(x, 0)", id="factors"),
+        pytest.param(r"\sqrt{x}", "x >= 0", "", id="a root"),
+        pytest.param(r"\sin(\arcsin x)", "x <= 1, x >= -1", "x <= 1, x >= -1", id="an arc"),
+        pytest.param(r"\tan x \cos x", "Ne(cos(x), 0)", "", id="a pole that is kept"),
+        pytest.param(r"\int_0^1 \frac{1}{x} d x", "", "", id="an integrand"),
+        pytest.param(r"\frac{1}{x^2 + 1}", "", "", id="never 0"),
+    ],
+)
+def test_conditions_come_from_the_tree(statement, needed, lost):
+    meanings = {name: Symbol(name, real=True) for name in "xy"}
+    found = [f(read(statement), lambda node: evaluate(node, meanings)) for f in WAYS]
+    assert [", ".join(map(str, each)) for each in found] == [needed, lost]

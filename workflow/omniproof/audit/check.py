@@ -20,7 +20,7 @@ from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.definedness import conditions, lost_conditions
 from omniproof.audit.definitions import Parts, parts
-from omniproof.audit.direct import Statement, digits_of, entry_of, heard, places, printed_side
+from omniproof.audit.direct import heard_on
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_if_false, refuse_mixed_differences, refuse_unclear
@@ -254,11 +254,7 @@ def _decide(part: Link, setting: Setting) -> Answer:
         from omniproof.audit.comparison import compare
 
         answer = compare(part.left, part.operator, part.right, setting.domain)
-    known = partial(evaluate, meanings=setting.meanings)
-    left, right = (entry_of(printed_side(side, known), part.index) for side in part.printed)
-    digits = max(map(digits_of, part.printed))
-    statement = Statement(left, part.operator, right, digits)
-    return heard(answer, statement, partial(places, setting.meanings.values(), setting.domain))
+    return heard_on(answer, part, setting)
 
 
 def _result(printed: str, steps: Sequence[Link], answers: Sequence[Answer]) -> CheckResult:

@@ -188,7 +188,10 @@ class _Comparison:
         """Show both sides instead of their difference, at the point of a witness."""
         if not isinstance(answer, Refuted | OnBranch):
             return answer
-        return replace(answer, witness=self.witness(self.place(answer.witness)))
+        place = self.place(answer.witness)
+        # Outside of the conditions a side may have no value; another witness is looked for later.
+        met = self.meets_conditions(place)
+        return replace(answer, witness=self.witness(place)) if met else answer
 
     def place(self, witness: Witness) -> Point:
         """Read the point of a witness; a symbol that does not matter to it gets any value."""
@@ -230,7 +233,10 @@ class _Comparison:
         (name,) = answer.witness.point
         (own,) = family.box
         value = place.subs(own, _closed_form(answer.witness.point[name]))
-        return Refuted(ENGINE, self.witness({self.symbols[0]: value}))
+        point = {self.symbols[0]: value}
+        if not self.meets_conditions(point):
+            return Undecided(ELSEWHERE, ENGINE)
+        return Refuted(ENGINE, self.witness(point))
 
     def by_algebra(self) -> Answer | None:
         """Ask z3 for a counterexample; a point counts only where it is confirmed exactly."""

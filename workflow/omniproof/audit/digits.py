@@ -142,7 +142,9 @@ def _digits(node: Any, point: Mapping[Symbol, Any], seed: int) -> Value:
 
 def _number(item: Any) -> Value:
     item = sympify(item)
-    return mp.mpf(int(item.p)) / int(item.q) if item.is_Rational else mp.mpf(item)
+    if item.is_Rational:
+        return mp.mpf(int(item.p)) / int(item.q)
+    return mp.mpf(item.evalf(precision()))
 
 
 def _by_sympy(node: Any, point: Mapping[Symbol, Any]) -> Value:

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -32,8 +33,11 @@ from omniproof.audit.digits import (
     value,
 )
 from omniproof.audit.sampling import sample_points
+from omniproof.audit.setting import Setting
+from omniproof.audit.statement import Link
 from omniproof.audit.zero_test import DisagreementError
 from omniproof.transcription import tree
+from omniproof.transcription.expression import evaluate
 
 POINTS = 3
 """A false statement that an engine proves is hardly true at three points by chance."""
@@ -107,7 +111,7 @@ class Statement:
         """Write both values, in as many digits as tell them apart."""
         with mp.workdps(self.digits):
             values = self.left(place), self.right(place)
-            pairs = ([_written(each, digits) for each in values] for digits in (4, 8, 16, 32, 64))
+            pairs = ([_written(each, digits) for each in values] for digits in (4, 8, 16, 32))
             first, *others = pairs
             left, right = next((pair for pair in (first, *others) if pair[0] != pair[1]), first)
             return left, right
@@ -263,7 +267,15 @@ def entry_of(side: Side, index: tuple[int, int]) -> Side:
     return entry
 
 
-def digits_of(node: tree.Node) -> int:
+def heard_on(answer: Answer, part: Link, setting: Setting) -> Answer:
+    """Ask direct evaluation about an answer on a link of a printed statement."""
+    known = partial(evaluate, meanings=setting.meanings)
+    left, right = (entry_of(printed_side(side, known), part.index) for side in part.printed)
+    statement = Statement(left, part.operator, right, max(map(_digits_of, part.printed)))
+    return heard(answer, statement, lambda: places(setting.meanings.values(), setting.domain))
+
+
+def _digits_of(node: tree.Node) -> int:
     """Return how many digits a formula takes: those of its numbers beside those that are lost."""
     return DIGITS + sum(_own_digits(part) for part in tree.walk(node))
 

@@ -8,14 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from omniproof.audit.answer import Proved
+from omniproof.audit.answer import Answer, Proved
 from omniproof.audit.approximate import ShapeError, Values, at_points, evaluate
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.definitions import parts
+from omniproof.audit.direct import heard_on
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair
 from omniproof.audit.setting import Assumptions, Setting
-from omniproof.audit.statement import links
+from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_unclear
 from omniproof.audit.zero_test import decide_equal
 from omniproof.transcription import expression, tree
@@ -45,8 +46,10 @@ def remedies(
             steps = links(_judged(text, assumptions), value, text)
         except (LatexError, UnsupportedError):
             return False
-        answers = (decide_equal(step.left, step.right, setting.domain) for step in steps)
-        return all(isinstance(answer, Proved) for answer in answers)
+        return all(isinstance(answer(step), Proved) for step in steps)
+
+    def answer(step: Link) -> Answer:
+        return heard_on(decide_equal(step.left, step.right, setting.domain), step, setting)
 
     quick = _quick_look(node, assumptions, setting.meanings)
     found = repair(printed, is_true, sorted(setting.meanings), quick)

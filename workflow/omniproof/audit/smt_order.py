@@ -21,6 +21,7 @@ import sympy as sp
 from omniproof.audit.balls import UnsupportedError, evaluate
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.smt import (
+    CIRCULAR,
     LARGEST_POWER,
     MOST_OPERATIONS,
     Fraction,
@@ -227,7 +228,7 @@ class _Search(Translation):
         for condition in self.region.conditions:
             difference = condition.lhs - condition.rhs
             try:
-                if difference.free_symbols & self.circles.keys():
+                if _outside_of_calls(difference) & self.circles.keys():
                     raise OutsideError("a condition on an angle itself is not algebraic")
                 self.wanted.append(self._relation(difference, condition.rel_op))
             except OutsideError:
@@ -274,6 +275,12 @@ RELATIONS = {
     "==": lambda value: value == 0,
     "!=": lambda value: value != 0,
 }
+
+
+def _outside_of_calls(formula: sp.Expr) -> set[sp.Symbol]:
+    """Return the symbols of a formula that are more than angles of sines and the like."""
+    calls = {call: sp.Dummy() for call in formula.atoms(*CIRCULAR)}
+    return set(formula.xreplace(calls).free_symbols)
 
 
 def _cross(u: tuple[Any, Any], v: tuple[Any, Any]) -> Any:
