@@ -6,7 +6,7 @@ from sympy import Symbol
 from omniproof.audit.check import Finding, check
 from omniproof.audit.definedness import conditions, lost_conditions
 from omniproof.audit.setting import Assumptions
-from omniproof.transcription.expression import evaluate
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.reader import read
 
 NONE = Assumptions()

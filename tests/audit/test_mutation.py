@@ -13,7 +13,7 @@ from omniproof.audit.answer import Proved, Refuted
 from omniproof.audit.mutants import KINDS, Spelled, mutants
 from omniproof.audit.mutation import FLAGGED, Fate, originals, study
 from omniproof.audit.run import prepare_to_judge
-from omniproof.transcription.expression import evaluate
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.model import Notation
 from omniproof.transcription.reader import read
 

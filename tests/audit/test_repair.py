@@ -12,7 +12,7 @@ from omniproof.audit.edits import edits
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, repair, repair_twice
 from omniproof.audit.zero_test import decide_equal
-from omniproof.transcription.expression import evaluate
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.model import Notation
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name

@@ -18,7 +18,7 @@ from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted, Un
 from omniproof.audit.comparison import compare
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.zero_test import decide_equal
-from omniproof.transcription.expression import evaluate
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, Comparison, Node, names

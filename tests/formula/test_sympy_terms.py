@@ -14,7 +14,7 @@ x, y = sp.symbols("x y", real=True)
 r = sp.Symbol("r", positive=True)
 speed = sp.Function("omega")
 
-LEAVES = [x, y, r, sp.pi, sp.Integer(2), sp.Rational(-3, 7), sp.Integer(0)]
+LEAVES = [x, y, r, x / 2, r - sp.pi, 2 * y, sp.Rational(-3, 7) * r]
 FUNCTIONS = [sp.sin, sp.cos, sp.tan, sp.atan, sp.Abs, sp.sign, speed]
 EXPRESSIONS = st.recursive(
     st.sampled_from(LEAVES),

@@ -29,8 +29,8 @@ from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.mutants import Spelled, mutants
 from omniproof.audit.repair import QuickLook, Repair, repair, repair_twice
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree
-from omniproof.transcription.expression import evaluate
 from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name

@@ -118,7 +118,9 @@ def test_the_engine_knows_no_paper_and_mechanics_no_print() -> None:
     """The design, section 1: data moves down only."""
     graph = import_graph(ROOT / "workflow" / "omniproof")
     known = {start: {b for a, b in graph.arrows if a == start} for start in graph.groups}
-    assert known["audit"] <= {"transcription", "registry", "visible"}
+    assert known["audit"] <= {"decide", "formula", "transcription", "registry", "visible"}
+    assert known["decide"] == {"formula"}, "engines know no paper, and no other engine's door"
+    assert known["formula"] == {"transcription"}, "the language knows no engine"
     assert known["transcription"] == {"visible"}, "which knows nothing itself"
     assert known["visible"] == set()
     assert not known["kinematics"] & {"papers", "report", "transcription"}

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from sympy import Dummy, ImmutableMatrix, MatrixBase, Rational, Symbol, symbols
 
-from omniproof.transcription.expression import Function, evaluate
+from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.model import Notation
 from omniproof.transcription.reader import read, symbol_name
 from omniproof.transcription.tree import Applied, walk

@@ -10,8 +10,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from sympy import N, Rational
 
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree
-from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import Notation
 from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import LatexError, read

@@ -18,7 +18,7 @@ from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.exact import subtract, vanishes
 from omniproof.audit.known_symbols import KnownSymbols, known_symbols, place_of
-from omniproof.transcription.expression import evaluate
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.faults import Fault
 from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Kind, Role

@@ -24,8 +24,8 @@ from omniproof.audit.direct import heard_on
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_if_false, refuse_mixed_differences, refuse_unclear
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree
-from omniproof.transcription.expression import evaluate
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError, tokenize
 

@@ -16,9 +16,9 @@ from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
+from omniproof.formula.evaluation import Function, evaluate
 from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
 from omniproof.transcription.checking import known_names
-from omniproof.transcription.expression import Function, evaluate
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role
 from omniproof.transcription.model import Symbol as PrintedSymbol

@@ -36,8 +36,8 @@ from omniproof.audit.sampling import sample_points
 from omniproof.audit.setting import Setting
 from omniproof.audit.statement import Link
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree
-from omniproof.transcription.expression import evaluate
 
 POINTS = 3
 """A false statement that an engine proves is hardly true at three points by chance."""

@@ -18,8 +18,8 @@ from omniproof.audit.ledger import Origin, Repair, Row, Verdict
 from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sign_cases import equivalent
+from omniproof.formula.evaluation import evaluate
 from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
-from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import ID, Claim, Form, Kind, Reading
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError

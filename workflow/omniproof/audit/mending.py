@@ -16,7 +16,7 @@ from omniproof.audit.context import Context
 from omniproof.audit.ledger import Repair as Grade
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair, repair_twice
-from omniproof.transcription.expression import evaluate
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.model import Role
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError

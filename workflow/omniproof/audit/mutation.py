@@ -35,8 +35,8 @@ from omniproof.audit.digits import (
 from omniproof.audit.mending import mend
 from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
 from omniproof.audit.run import prepare_to_judge
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.entries import entry_source
-from omniproof.transcription.expression import evaluate
 from omniproof.transcription.model import Claim, Kind, Role
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name

@@ -14,7 +14,7 @@ from omniproof.audit.context import Context
 from omniproof.audit.known_symbols import symbols_in
 from omniproof.audit.ledger import Row
 from omniproof.audit.likeness import likeness
-from omniproof.transcription.expression import Function
+from omniproof.formula.evaluation import Function
 from omniproof.transcription.model import Kind
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError
@@ -45,7 +45,8 @@ def _reads_alike(row: Row, context: Context) -> bool:
     except LatexError:
         return False
     # The order of factors is a matter of taste for numbers only.
-    if any(isinstance(value, MatrixBase) for value in _meanings(printed, row, context)):
+    claim = row.id.partition("[")[0]
+    if any(isinstance(value, MatrixBase) for value in _values(printed, claim, context)):
         return printed == corrected
     return likeness(printed) == likeness(corrected)
 
@@ -54,23 +55,28 @@ def _read(text: str, context: Context) -> Node:
     return read_with(text, context.loaded.paper.notation, context.names)
 
 
-def _meanings(node: Node, row: Row, context: Context) -> list[Any]:
+def _values(node: Node, claim: str, context: Context) -> list[Any]:
     """What the symbols of a formula stand for."""
-    values = context.meanings_at(row.id.partition("[")[0], node).values()
+    values = context.meanings_at(claim, node).values()
     return [value.value if isinstance(value, Function) else value for value in values]
 
 
 def _cause(row: Row, context: Context) -> str:
-    """Name the symbols that print and derivation share by name only."""
     claim = row.id.partition("[")[0]
     if row.kind is not Kind.IDENTITY or claim not in context.loaded.trees:
         return "its correction is written by hand"
-    printed = symbols_in(_meanings(context.loaded.trees[claim], row, context))
-    theirs = symbols_in(context.derive(claim))
+    found = same_by_name(claim, context)
+    return found or "what is printed there means something else than what is derived"
+
+
+def same_by_name(claim: str, context: Context) -> str:
+    """Say which symbols print and derivation of a claim share by name only; empty for none."""
+    if claim not in context.loaded.trees:
+        return ""
+    tree = context.loaded.trees[claim]
+    printed, theirs = symbols_in(_values(tree, claim, context)), symbols_in(context.derive(claim))
     shared = _names(printed - theirs) & _names(theirs - printed)
-    if not shared:
-        return "what is printed there means something else than what is derived"
-    return f"its derivation has another symbol named {', '.join(sorted(shared))}"
+    return f"its derivation has another symbol named {', '.join(sorted(shared))}" if shared else ""
 
 
 def _names(symbols: set[Symbol]) -> set[str]:

@@ -19,7 +19,8 @@ from omniproof.audit.setting import Assumptions, Setting
 from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_unclear
 from omniproof.audit.zero_test import decide_equal
-from omniproof.transcription import expression, tree
+from omniproof.formula import evaluation
+from omniproof.transcription import tree
 from omniproof.transcription.tokens import LatexError
 
 
@@ -38,7 +39,7 @@ def remedies(
 
     def value(side: tree.Node) -> Any:
         if side not in known:
-            known[side] = expression.evaluate(side, setting.meanings)
+            known[side] = evaluation.evaluate(side, setting.meanings)
         return known[side]
 
     def is_true(text: str) -> bool:

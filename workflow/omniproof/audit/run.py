@@ -14,10 +14,11 @@ from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
-from omniproof.audit.ledger import Ledger
+from omniproof.audit.ledger import Ledger, Row
 from omniproof.audit.other_notation import misread
-from omniproof.audit.own_text import refuse_own_text
+from omniproof.audit.own_text import refuse_own_text, same_by_name
 from omniproof.audit.readings import load_readings, unfit
+from omniproof.audit.zero_test import DisagreementError
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_sound_part
@@ -31,7 +32,7 @@ from omniproof.transcription.tree import names
 def audit_paper(folder: Path) -> Ledger:
     """Return the ledger of the paper in a folder of `paper_data`; raises `BadInput`."""
     context = prepare_to_judge(folder)
-    rows = [row for claim in context.loaded.claims for row in judge_claim(claim, context)]
+    rows = [row for claim in context.loaded.claims for row in _judged(claim, context)]
     if faults := list(misread(rows, context)):
         raise BadInput(faults)
     return Ledger(
@@ -39,6 +40,16 @@ def audit_paper(folder: Path) -> Ledger:
         claims=len(context.loaded.claims),
         rows=tuple(refuse_own_text(row, context) for row in attribute(rows, context)),
     )
+
+
+def _judged(claim: Claim, context: Context) -> list[Row]:
+    """Judge a claim; a disagreement about it names it, and what may be behind it."""
+    try:
+        return judge_claim(claim, context)
+    except DisagreementError as error:
+        parts = [str(error), same_by_name(claim.id, context)]
+        told = "; ".join(filter(None, parts))
+        raise DisagreementError(f"{context.loaded.paper.key}, {claim.id}: {told}") from None
 
 
 def prepare_to_judge(folder: Path) -> Context:

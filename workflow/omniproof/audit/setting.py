@@ -17,9 +17,9 @@ import sympy as sp
 from omniproof.audit.answer import Domain
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.exact import sign, subtract
+from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree
 from omniproof.transcription.conventions import ALONE, Conventions
-from omniproof.transcription.expression import evaluate
 from omniproof.transcription.reader import read_with, symbol_name
 from omniproof.transcription.readings import Reading, readings
 from omniproof.transcription.tokens import FUNCTIONS, LatexError

@@ -12,7 +12,7 @@ from sympy import Integral
 from omniproof.audit.answer import Answer
 from omniproof.audit.context import Context
 from omniproof.audit.direct import Place, Statement, entry_of, heard, places, printed_side
-from omniproof.transcription.expression import Function, evaluate
+from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.tree import Node
 
 MOST_PLACES = 12

@@ -80,7 +80,8 @@ def _power(node: Any) -> Term:
         return term if exponent.p == 1 else Power(term, int(exponent.p))
     if exponent.is_Rational:  # what is a power of one root should be seen to be one
         index = Number(Fraction(1, int(exponent.q)))
-        return Power(Call("power", (term_of(base), index)), int(exponent.p))
+        root_of_base = Call("power", (term_of(base), index))
+        return root_of_base if exponent.p == 1 else Power(root_of_base, int(exponent.p))
     return Call("power", (term_of(base), term_of(exponent)))
 
 

@@ -111,7 +111,14 @@ class _Scope:
         raise LatexError(message, text, (0, len(text)), cure)
 
 
-def _name(scope: _Scope, node: tree.Name | tree.Applied) -> Value:
+def _name(scope: _Scope, node: tree.Name) -> Value:
+    value = _meaning(scope, node)
+    if isinstance(value, FunctionType):
+        scope.refuse(node, f"expected arguments of `{node.name}`")
+    return value
+
+
+def _meaning(scope: _Scope, node: tree.Name | tree.Applied) -> Value:
     """Look a symbol up; the determinant of a known matrix needs no entry of its own."""
     name = node.name
     if name in scope.meanings:
@@ -126,7 +133,7 @@ def _name(scope: _Scope, node: tree.Name | tree.Applied) -> Value:
 
 def _applied(scope: _Scope, node: tree.Applied) -> Value:
     """A quantity with its arguments in the place of the variables that it is a function of."""
-    value, function = _name(scope, node), scope.meanings.get(node.name)
+    value, function = _meaning(scope, node), scope.meanings.get(node.name)
     if isinstance(value, FunctionType):  # an operator: `Rot(z, a)` takes an axis and an angle
         try:
             return value(*map(scope.value, node.arguments))

@@ -31,7 +31,7 @@ from sympy import (
     symbols,
 )
 
-from omniproof.transcription.expression import Function, evaluate
+from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.reader import LatexError, read
 from omniproof.transcription.tree import Applied, names
 
