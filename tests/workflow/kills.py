@@ -8,8 +8,9 @@ from hashlib import sha256
 from pathlib import Path
 from random import Random
 
-from conftest import Project
-from omniproof.recovery import PART
+from copied import Project
+
+from omniproof.report.step import PART
 
 MADE = ("results", "book/_build/html")
 

@@ -1,8 +1,13 @@
 """The build as a whole, with scripts that only touch their outputs: no paper is audited."""
 
 import re
+import site
+import sysconfig
+import venv
+from pathlib import Path
 
 import pytest
+from copied import copy_of
 
 
 def test_second_run_does_nothing(built):
@@ -119,3 +124,15 @@ def test_old_python_is_told_what_to_do(project):
         "Name another one, such as: make PYTHON=python3.12"
     )
     assert not (project.folder / ".venv").exists()
+
+
+def test_path_with_a_blank_and_an_umlaut_builds(root, tmp_path):
+    project = copy_of(root, tmp_path / "mein Büro" / "omni proof")
+    project.touch_only()
+    environment = project.folder / ".venv"
+    venv.create(environment, symlinks=True)
+    packages = sysconfig.get_path("purelib", vars={"base": str(environment)})
+    Path(packages, "these.pth").write_text("\n".join(site.getsitepackages()))
+    done = project.run(f"{environment}/bin/python", "-m", "snakemake", "results/theorems.json")
+    assert done.returncode == 0, done.stdout
+    assert (project.folder / "results/theorems.json").is_file()

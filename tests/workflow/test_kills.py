@@ -5,9 +5,8 @@ from pathlib import Path
 from random import Random
 
 import pytest
+from copied import Project, copy_of
 from kills import half_made, kill_once, made
-
-from conftest import Project, copy_of
 
 SOME = [  # a judged paper, a table and a picture that rest on others, what is simulated
     "snakemake",

@@ -6,15 +6,12 @@ import re
 import signal
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
+from copied import HOLDER, LOCK
 
 from omniproof import lock
 
-LOCK = [sys.executable, "-P", str(Path(lock.__file__))]
-HOLDER = [sys.executable, "-c", "import time; print('building', flush=True); time.sleep(600)"]
-"""A build that says when it began, and does not end by itself."""
 KILLED_WITH_A_STEP = [
     sys.executable,
     "-c",

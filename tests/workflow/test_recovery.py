@@ -1,12 +1,15 @@
 """What is lost is made again; what fails leaves the earlier results, and goes on failing."""
 
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
+from copied import HOLDER, LOCK
 from kills import made
 
 from omniproof.recovery import forget, is_whole, keep, list_files, put_back, sweep
+from omniproof.report.step import PART
 
 PAPER = "paper_data/omni-arrangement/paper.yaml"
 
@@ -45,7 +48,7 @@ def test_unfinished_files_are_swept_and_nothing_else(here):
     for name in ("results/.part-x/half.csv", "results/deep/.part-y/half.svg", "results/whole.csv"):
         Path(name).parent.mkdir(parents=True, exist_ok=True)
         Path(name).touch()
-    sweep("results", "no such folder")
+    sweep(PART, "results", "no such folder")
     assert [str(x) for x in Path("results").rglob("*")] == ["results/deep", "results/whole.csv"]
 
 
@@ -112,3 +115,15 @@ def test_bad_input_leaves_all_earlier_results_and_fails_until_it_is_mended(proje
     done = project.run("snakemake", *targets)
     assert done.returncode == 0
     assert re.search(r"^\[\d/\d\] Audit omni-arrangement$", done.stdout, re.MULTILINE)
+
+
+def test_build_waits_for_another_one_and_then_makes_what_is_left(project):
+    project.touch_only()
+    other = project.start(*LOCK, *HOLDER, stdout=subprocess.PIPE, text=True)
+    assert other.stdout.readline() == "building\n"
+    build = project.start("snakemake", "results/theorems.json", stderr=subprocess.PIPE, text=True)
+    said = next(line for line in build.stderr if not line.startswith("Using workflow"))
+    assert said.startswith(f"Process {other.pid} has been building here since ")
+    other.kill()
+    assert "[1/1] Prove what no paper prints" in build.communicate(timeout=120)[1]
+    assert build.returncode == 0

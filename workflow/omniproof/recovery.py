@@ -13,8 +13,6 @@ from collections.abc import Iterable
 from pathlib import Path
 
 EARLIER = Path(".snakemake", "earlier")
-PART = ".part-"
-"""How the folders are named in which steps write until they have ended."""
 
 
 def keep(files: Iterable[str]) -> None:
@@ -38,10 +36,10 @@ def forget() -> None:
     shutil.rmtree(EARLIER, ignore_errors=True)
 
 
-def sweep(*folders: str) -> None:
-    """Remove the unfinished files of steps that were killed, wherever they are in the folders."""
+def sweep(prefix: str, *folders: str) -> None:
+    """Remove what steps that were killed left: folders of this prefix, anywhere in the given ones."""
     for folder in folders:
-        for part in [*Path(folder).rglob(f"{PART}*")]:
+        for part in [*Path(folder).rglob(f"{prefix}*")]:
             shutil.rmtree(part, ignore_errors=True)
 
 

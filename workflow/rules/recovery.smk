@@ -8,6 +8,7 @@ import sys
 
 from omniproof.lock import hold
 from omniproof.recovery import forget, is_whole, keep, put_back, sweep
+from omniproof.report.step import PART
 from snakemake.persistence.file import FilePersistence
 
 # The index stands for all pages: if another one was lost, it is made again with them.
@@ -18,7 +19,7 @@ if not is_whole(Path("book/_build/html"), Path("book/_build/files.txt")):
 onstart:
     if hold():
         os.execvp(sys.orig_argv[0], sys.orig_argv)  # plan anew: the other build may have made all
-    sweep("results", "book/_build/html")
+    sweep(PART, "results", "book/_build/html")
     keep(file for job in workflow.dag.needrun_jobs() for file in job.output)
 
 

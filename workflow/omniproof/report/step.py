@@ -16,10 +16,10 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from omniproof.recovery import PART
 from omniproof.transcription.faults import BadInput
 
 MESSAGE = "---- message ----\n"
+PART = ".part-"  # how the folders are named in which steps write until they have ended
 TAIL = 20  # lines shown of a log without a message: the step was killed
 
 
