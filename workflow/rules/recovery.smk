@@ -18,7 +18,9 @@ if not is_whole(Path("book/_build/html"), Path("book/_build/files.txt")):
 
 onstart:
     if hold():
-        os.execvp(sys.orig_argv[0], sys.orig_argv)  # plan anew: the other build may have made all
+        os.execvp(
+            sys.orig_argv[0], sys.orig_argv
+        )  # plan anew: the other build may have made all
     sweep(PART, "results", "book/_build/html")
     keep(file for job in workflow.dag.needrun_jobs() for file in job.output)
 
