@@ -37,7 +37,7 @@ def forget() -> None:
 
 
 def sweep(prefix: str, *folders: str) -> None:
-    """Remove what steps that were killed left: folders of this prefix, anywhere in the given ones."""
+    """Remove what killed steps left: folders of this prefix, anywhere in the given ones."""
     for folder in folders:
         for part in [*Path(folder).rglob(f"{prefix}*")]:
             shutil.rmtree(part, ignore_errors=True)

@@ -8,7 +8,7 @@ defect of this project, whatever the formula is: `DisagreementError` stops the b
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -18,7 +18,7 @@ from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import without_integrals
 from omniproof.audit.smt import Different, Equal, differ_somewhere
-from omniproof.audit.zero_test import DisagreementError, decide_equal
+from omniproof.audit.zero_test import DisagreementError, Terms, decide_equal
 from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes
 from omniproof.formula.sympy_terms import NotATermError, positive_names, term_of
 from omniproof.formula.term import Term, subtract
@@ -27,23 +27,43 @@ Vote = bool | None
 """True: the answer is confirmed; False: it is contradicted; None: not decided."""
 
 
+@dataclass(frozen=True)
+class Asked:
+    """What an engine is asked: SymPy's idea of both sides, a domain, and the sides as printed."""
+
+    printed: sp.Expr
+    derived: sp.Expr
+    domain: Domain
+    terms: Terms | None
+
+
 def confirmed_equal(
-    printed: Any, derived: Any, domain: Domain = REALS, *, enough: int | None = None
+    printed: Any,
+    derived: Any,
+    domain: Domain = REALS,
+    *,
+    enough: int | None = None,
+    terms: Terms | None = None,
 ) -> Answer:
     """Decide as `decide_equal` does, and name every engine that comes to the same answer.
 
-    After `enough` confirmations no further engine is asked; without it, all are.
+    `terms` are the sides as they are printed, before SymPy had an idea of them; the engines look at
+    these. After `enough` confirmations no further engine is asked; without it, all are.
     Raises `DisagreementError` when an engine comes to another one.
     """
+    given = printed, derived
     try:
-        printed, derived = without_integrals(printed, derived)
+        printed, derived = map(sp.sympify, without_integrals(printed, derived))
     except UnsupportedError as reason:
         return counterexample(printed, derived, domain) or Undecided(str(reason))
-    answer = decide_equal(printed, derived, domain)
+    if terms is None or (printed, derived) != given:  # what stands for integrals is printed nowhere
+        terms = _terms(printed, derived)
+    answer = decide_equal(printed, derived, domain, terms)
     if isinstance(answer, Undecided):
         return answer
+    asked = Asked(printed, derived, domain, terms)
     for engine, vote_of in ENGINES.items():
-        vote = vote_of(answer, printed, derived, domain)
+        vote = vote_of(answer, asked)
         if vote is False:
             raise DisagreementError(_both_sides(engine, answer, printed, derived))
         if vote:
@@ -59,17 +79,22 @@ def _both_sides(engine: str, answer: Answer, printed: Any, derived: Any) -> str:
     return f"{engine} contradicts {'+'.join(answer.engines)} on {sides}: {answer}"
 
 
-def _modular(answer: Answer, printed: Any, derived: Any, domain: Domain) -> Vote:
+def _terms(printed: sp.Expr, derived: sp.Expr) -> Terms | None:
+    try:
+        return term_of(printed), term_of(derived)
+    except NotATermError:
+        return None
+
+
+def _modular(answer: Answer, asked: Asked) -> Vote:
     """Ask at points of prime fields; a test over all reals, so that a domain only leaves cases out.
 
     A condition is confirmed when it suffices (zero under it) and something is needed (not without).
     """
-    sides = sp.sympify(printed), sp.sympify(derived)
-    positive = positive_names(*sides)
-    try:
-        difference = subtract(*map(term_of, sides))
-    except NotATermError:
+    if asked.terms is None:
         return None
+    positive = positive_names(asked.printed, asked.derived)
+    difference = subtract(*asked.terms)
     match vanishes(difference, (), positive), answer:
         case (Zero(), Proved()) | (NonZero(), Refuted()):
             return True
@@ -92,17 +117,17 @@ def _suffices(difference: Term, relations: Sequence[Any], positive: frozenset[st
     return None
 
 
-def _smt(answer: Answer, printed: Any, derived: Any, domain: Domain) -> Vote:
+def _smt(answer: Answer, asked: Asked) -> Vote:
     """Ask z3 for a point anywhere: where a domain leaves points out, only "no point" counts."""
-    match differ_somewhere(sp.sympify(printed), sp.sympify(derived)), answer:
+    match differ_somewhere(asked.printed, asked.derived), answer:
         case (Equal(), Proved()) | (Different(), Refuted()):
             return True
         case Equal(), _:
             return False
         case Different(), _:
-            return None if domain != REALS else False
+            return None if asked.domain != REALS else False
     return None
 
 
-ENGINES: dict[str, Callable[[Answer, Any, Any, Domain], Vote]] = {"modular": _modular, "z3": _smt}
+ENGINES: dict[str, Callable[[Answer, Asked], Vote]] = {"modular": _modular, "z3": _smt}
 """By the name in the ledger, in the order in which they are asked."""

@@ -16,7 +16,9 @@ from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
-from omniproof.formula.evaluation import Function, evaluate
+from omniproof.formula.evaluation import Function, Lifted, evaluate
+from omniproof.formula.sympy_terms import Converter
+from omniproof.formula.unfold import unfold
 from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
 from omniproof.transcription.checking import known_names
 from omniproof.transcription.loader import LoadedPaper
@@ -134,6 +136,11 @@ class Context:
         """Value of the printed form, or of one part of it; raises `LatexError`."""
         tree = self.loaded.trees[claim] if node is None else node
         return evaluate(tree, self.meanings_at(claim, tree), self.printed(claim))
+
+    def unfolded(self, claim: str, node: Node) -> Any:
+        """The same as terms, in which nothing is simplified; raises `LatexError`."""
+        meanings = Lifted(self.meanings_at(claim, node), Converter())
+        return unfold(node, meanings, self.printed(claim))
 
     def domain(self, claim: str) -> Domain:
         """Where a claim is judged: the ranges of the symbols, and what the claim assumes.

@@ -16,6 +16,8 @@ from omniproof.audit.mending import Mended, mend
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.voice import Voice
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import Term, multiply
 from omniproof.registry import Modelled
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
@@ -34,7 +36,8 @@ class Cell:
 
     `places` says which part of the text each side is; for the entry of a matrix that is the text.
     `factor` stands before a printed matrix: it belongs to the sides, and not to the text.
-    `nodes` are the printed sides, and `index` says which entry of them this is.
+    `nodes` are the printed sides, and `index` says which entry of them this is; `terms` are these
+    sides as they are printed, before SymPy had an idea of them.
     `premises` is what the paper's own premises give, where mechanics contradicts one: the `gap`.
     """
 
@@ -44,6 +47,7 @@ class Cell:
     sides: tuple[Any, ...]
     derived: Any
     nodes: tuple[Node, ...]
+    terms: tuple[Term, ...]
     index: tuple[int, ...] = ()
     factor: Any = 1
     domain: Domain = REALS
@@ -86,23 +90,25 @@ def _flat(value: Any) -> list[Any]:
 def _printed_cells(claim: Claim, context: Context, derived: Any) -> Iterator[Cell]:
     nodes = context.sides(claim.id)
     values = tuple(context.evaluate(claim.id, node) for node in nodes)
+    unfolded = tuple(context.unfolded(claim.id, node) for node in nodes)
     text = context.printed(claim.id)
     if not isinstance(derived, MatrixBase):
         spans = tuple(node.span for node in nodes)
-        yield Cell(claim.id, text, spans, values, derived, nodes)
+        yield Cell(claim.id, text, spans, values, derived, nodes, unfolded)
         return
     for index, entry in entries(derived).items():
         sides = tuple(entries(value)[index] for value in values)
+        terms = tuple(grid.at(*index) for grid in unfolded)
         name = f"{claim.id}[{','.join(map(str, index))}]"
         verbatim = entry_source(text, context.loaded.trees[claim.id], index)
         if verbatim is None:
             spans = tuple(node.span for node in nodes)
-            yield Cell(name, text, spans, sides, entry, nodes, index)
+            yield Cell(name, text, spans, sides, entry, nodes, terms, index)
             continue
         value = context.value(verbatim, claim.id)
         factor = 1 if value == 0 else sides[-1] / value
         spans = ((0, len(verbatim)),) * len(sides)
-        yield Cell(name, verbatim, spans, sides, entry, nodes, index, factor)
+        yield Cell(name, verbatim, spans, sides, entry, nodes, terms, index, factor)
 
 
 def _judge_cell(cell: Cell, claim: Claim, context: Context, voice: Voice) -> Row:
@@ -143,10 +149,12 @@ def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int,
     for way in readings(cell.text[begin:end], context.loaded.paper.notation, context.names)[0][1:]:
         try:
             side = context.evaluate(claim.id, way.node) * cell.factor
+            term = multiply(term_of(cell.factor), context.unfolded(claim.id, way.node))
         except LatexError:  # shapes that do not fit: no formula in this reading
             continue
         sides = (*cell.sides[:place], side, *cell.sides[place + 1 :])
-        found, _ = _compare(replace(cell, sides=sides))
+        terms = (*cell.terms[:place], term, *cell.terms[place + 1 :])
+        found, _ = _compare(replace(cell, sides=sides, terms=terms))
         if isinstance(found, Proved):
             return found, place, way
     return answer, place, None
@@ -170,8 +178,9 @@ def _heard(answer: Answer, place: int, way: Reading | None, cell: Cell, voice: V
 def _compare(cell: Cell) -> tuple[Answer, int]:
     """Hold each side against what is derived; the answer on the first that fails, and its place."""
     engines: tuple[str, ...] = ()
-    for place, side in enumerate(cell.sides):
-        answer = confirmed_equal(side, cell.derived, cell.domain)
+    derived = term_of(cell.derived)
+    for place, (side, term) in enumerate(zip(cell.sides, cell.terms, strict=True)):
+        answer = confirmed_equal(side, cell.derived, cell.domain, terms=(term, derived))
         if not isinstance(answer, Proved):
             return answer, place
         engines = merge(engines, answer.engines)

@@ -12,6 +12,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain, repeat
+from typing import TypeAlias
 
 import sympy as sp
 from flint import ctx
@@ -31,25 +33,28 @@ from omniproof.audit.balls import (
     Program,
     UnsupportedError,
     as_term,
-    compile_balls,
     evaluate,
     exact_number,
     format_ball,
     rational_ball,
 )
-from omniproof.audit.branches import Condition, find_condition, is_root
+from omniproof.audit.branches import Condition, find_condition
 from omniproof.audit.exact import subtract
 from omniproof.audit.hypotheses import interior, settle
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import REACH, Sample, by_name, sample_points
 from omniproof.audit.signs import sign_on
+from omniproof.decide.balls import compile_balls
 from omniproof.decide.normal_form.form import NormalForm, normal_form
+from omniproof.decide.normal_form.survey import is_radical
 from omniproof.formula.sympy_terms import positive_names
+from omniproof.formula.term import Term, symbols, walk
 
 ENGINE = ("flint",)
 FIRST_LOOK, SECOND_LOOK, BRANCH_LOOK = 3, 60, 32
 LOW, HIGH = 128, 1_024
 FAR = (8, 80, 800)  # the first is more than a turn of the slowest angle
+Terms: TypeAlias = tuple[Term, Term]
 UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo)
 
 
@@ -65,10 +70,15 @@ def decide(expression: sp.Expr, domain: Domain = REALS) -> Answer:
     return _guarded(exact_number(expression), sp.S.Zero, domain)
 
 
-def decide_equal(printed: sp.Expr, derived: sp.Expr, domain: Domain = REALS) -> Answer:
-    """Decide whether two formulas agree wherever both are defined; a witness shows both values."""
+def decide_equal(
+    printed: sp.Expr, derived: sp.Expr, domain: Domain = REALS, terms: Terms | None = None
+) -> Answer:
+    """Decide whether two formulas agree wherever both are defined; a witness shows both values.
+
+    `terms` are the sides as they are printed, before SymPy had an idea of them.
+    """
     printed, derived = exact_number(printed), exact_number(derived)
-    answer = _guarded(printed, derived, domain)
+    answer = _guarded(printed, derived, domain, terms)
     return (isinstance(answer, Undecided) and _undefined(printed, derived)) or answer
 
 
@@ -86,9 +96,12 @@ def _one_side_undefined(printed: sp.Expr, derived: sp.Expr, left: bool) -> Answe
     return Refuted(ENGINE, Witness({}, *words), f"the {side} side is nowhere defined")
 
 
-def _guarded(printed: sp.Expr, derived: sp.Expr, domain: Domain) -> Answer:
+def _guarded(
+    printed: sp.Expr, derived: sp.Expr, domain: Domain, terms: Terms | None = None
+) -> Answer:
     try:
-        return _Question(printed, derived, domain).answer()
+        sides = terms or (as_term(printed), as_term(derived))
+        return _Question(printed, derived, domain, sides).answer()
     except UnsupportedError as reason:
         return Undecided(str(reason), ENGINE)
     except RecursionError:
@@ -122,12 +135,18 @@ class _Probe:
 
 
 class _Question:
-    def __init__(self, printed: sp.Expr, derived: sp.Expr, domain: Domain) -> None:
+    """The engines look at `terms`; a condition is put into words by SymPy's idea of them."""
+
+    def __init__(self, printed: sp.Expr, derived: sp.Expr, domain: Domain, terms: Terms) -> None:
         self.printed, self.derived, self.domain = printed, derived, interior(domain)
-        self.identical = printed == derived
-        self.parts = _parts(printed, derived)
-        self.symbols = sorted((part for part in self.parts if part.is_Symbol), key=by_name)
-        self.program: Program = compile_balls([printed, derived], self.symbols)
+        self.terms = terms
+        known = printed.free_symbols | derived.free_symbols
+        self.symbols = sorted(known, key=by_name)
+        names = [symbol.name for symbol in self.symbols]
+        # What cancels is printed and does not matter: it has values, and no place in a witness.
+        others = sorted(set().union(*map(symbols, terms)).difference(names))
+        self.others = [sp.Symbol(name, real=True) for name in others]
+        self.program: Program = compile_balls(terms, names + others)
 
     @cached_property
     def difference(self) -> sp.Expr:
@@ -136,17 +155,18 @@ class _Question:
 
     def form(self) -> NormalForm:
         """Bring the difference of the sides into normal form."""
-        positive = positive_names(self.printed, self.derived)
-        return normal_form(as_term(self.printed), as_term(self.derived), positive)
+        return normal_form(*self.terms, positive_names(self.printed, self.derived))
 
     def answer(self) -> Answer:
         """Decide; sides written alike are equal wherever they are defined, if that is anywhere."""
+        if self.terms[0] == self.terms[1]:
+            return self.proved([])
         # One point where both are defined tells almost all false formulas; the rest take algebra.
-        if not self.identical and any(map(_may_branch, self.parts)):
+        if any(map(_may_branch, chain(*map(walk, self.terms)))):
             return self.answer_with_branches()
         probe = next((probe for probe in self.probes(FIRST_LOOK) if probe.defined), None)
         if probe is None or not probe.differs:
-            if self.identical or self.form().is_zero:
+            if self.form().is_zero:
                 return self.proved([probe] if probe else [])
             again = self.probes(SECOND_LOOK, HIGH)
             probe = next((probe for probe in again if probe.differs), None)
@@ -250,24 +270,14 @@ class _Question:
         return Undecided("no point of the domain was found at which both sides are defined", ENGINE)
 
     def probes(self, count: int, precision: int = LOW, reach: int = REACH) -> Iterator[_Probe]:
-        for point in sample_points(self.symbols, self.domain, count=count, reach=reach):
+        points = sample_points(self.symbols, self.domain, count=count, reach=reach)
+        others = sample_points(self.others, count=count) if self.others else repeat(Sample())
+        for point, rest in zip(points, others, strict=False):
             with ctx.workprec(precision):
-                sides = self.program.run([rational_ball(value) for value in point.values()])
-                yield _Probe(point, *sides)
+                values = [rational_ball(value) for value in (*point.values(), *rest.values())]
+                yield _Probe(point, *self.program.run(values))
 
 
-def _parts(*formulas: sp.Expr) -> set[sp.Expr]:
-    """Collect all different parts of formulas."""
-    found: set[sp.Expr] = set()
-    waiting = list(formulas)
-    while waiting:
-        part = waiting.pop()
-        if part not in found:
-            found.add(part)
-            waiting.extend(part.args)
-    return found
-
-
-def _may_branch(node: sp.Expr) -> bool:
-    """Whether a node is a root or an absolute value of something variable."""
-    return (is_root(node) or isinstance(node, (sp.Abs, sp.sign))) and bool(node.free_symbols)
+def _may_branch(term: Term) -> bool:
+    """Whether a part is a root or an absolute value of something variable."""
+    return is_radical(term) and bool(symbols(term))

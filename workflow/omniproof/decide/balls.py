@@ -19,6 +19,8 @@ from flint import arb, arb_series, ctx, fmpq
 from omniproof.decide.errors import UnsupportedError
 from omniproof.formula.term import Call, Number, Pi, Power, Product, Sum, Symbol, Term
 
+CANCELLED = 1e-20
+"""A ball about 0 of this radius is shown as 0: a witness has 20 digits at most to tell it apart."""
 Ball: TypeAlias = Any
 """An `arb`, or an `arb_series` where derivatives are wanted (python-flint publishes no types)."""
 Memory: TypeAlias = list[Ball]
@@ -98,9 +100,14 @@ def as_float(ball: Ball) -> float:
 
 
 def format_ball(ball: Ball, digits: int = 4) -> str:
-    """Write the midpoint to significant digits: `0.8415`; `undefined` when it is not finite."""
+    """Write the midpoint to significant digits: `0.8415`; `undefined` when it is not finite.
+
+    What terms cancel to is 0 but for the last bits, and written so.
+    """
     if not ball.is_finite():
         return "undefined"
+    if ball.contains(0) and ball.rad() < CANCELLED:
+        return "0"
     with ctx.workprec(max(ctx.prec, 4 * digits)):
         return str(ball.str(digits, radius=False))
 

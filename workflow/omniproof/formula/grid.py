@@ -54,6 +54,10 @@ class Grid:
         """All entries in printed order."""
         return tuple(chain.from_iterable(self.rows))
 
+    def at(self, row: int, column: int = 1) -> Term:
+        """Return an entry by its printed place, counted from 1."""
+        return self.rows[row - 1][column - 1]
+
     @property
     def transposed(self) -> Grid:
         """Rows as columns."""

@@ -51,9 +51,14 @@ class NotATermError(ValueError):
     """An expression of SymPy that stands for no exact real number; the text says why."""
 
 
+def term_of(expression: Any) -> Term:
+    """Return an expression of SymPy, or a number, as a term; raises `NotATermError`."""
+    return _term(sp.sympify(expression))
+
+
 @lru_cache(maxsize=100_000)
-def term_of(node: Any) -> Term:
-    """Return an expression of SymPy as a term; raises `NotATermError`.
+def _term(node: Any) -> Term:
+    """Convert node by node.
 
     What derivations share is converted once. The memory holds every node of the largest audit.
     """
@@ -64,7 +69,7 @@ def term_of(node: Any) -> Term:
     if isinstance(node, sp.Symbol) and node.is_commutative:
         return Symbol(node.name)
     if node.is_Add or node.is_Mul:
-        return (Sum if node.is_Add else Product)(tuple(map(term_of, node.args)))
+        return (Sum if node.is_Add else Product)(tuple(map(_term, node.args)))
     if node.is_Pow:
         return _power(node)
     return _integral(node) if isinstance(node, sp.Integral) else _call(node)
@@ -73,24 +78,24 @@ def term_of(node: Any) -> Term:
 def _power(node: Any) -> Term:
     base, exponent = node.base, node.exp
     if exponent.is_Integer:
-        return Power(term_of(base), int(exponent))
+        return Power(_term(base), int(exponent))
     twos = int(exponent.q).bit_length() - 1 if exponent.is_Rational else 0
     if twos and exponent.q == 1 << twos:
-        term = reduce(lambda inside, _: root(inside), range(twos), term_of(base))
+        term = reduce(lambda inside, _: root(inside), range(twos), _term(base))
         return term if exponent.p == 1 else Power(term, int(exponent.p))
     if exponent.is_Rational:  # what is a power of one root should be seen to be one
         index = Number(Fraction(1, int(exponent.q)))
-        root_of_base = Call("power", (term_of(base), index))
+        root_of_base = Call("power", (_term(base), index))
         return root_of_base if exponent.p == 1 else Power(root_of_base, int(exponent.p))
-    return Call("power", (term_of(base), term_of(exponent)))
+    return Call("power", (_term(base), _term(exponent)))
 
 
 def _integral(node: Any) -> Term:
-    inside = term_of(node.function)
+    inside = _term(node.function)
     for variable, *ends in node.limits:
         if len(ends) != 2:
             raise NotATermError("an integral has no ends")
-        inside = Integral(inside, Symbol(variable.name), *map(term_of, ends))
+        inside = Integral(inside, Symbol(variable.name), *map(_term, ends))
     return inside
 
 
@@ -99,7 +104,7 @@ def _call(node: Any) -> Term:
     name = NAMES.get(node.func) or (str(node.func) if node.is_Function else "")
     if not (name and node.args) or isinstance(node, sp.Piecewise):
         raise NotATermError(_refusal(node))
-    return Call(name, tuple(map(term_of, node.args)))
+    return Call(name, tuple(map(_term, node.args)))
 
 
 def positive_names(*expressions: Any) -> frozenset[str]:
@@ -128,7 +133,7 @@ class Converter:
     def term(self, expression: Any) -> Term:
         """Return an expression of SymPy as a term; raises `NotATermError`."""
         node = sp.sympify(expression)
-        term = term_of(node)
+        term = _term(node)
         self._given.setdefault(term, node)
         return term
 
