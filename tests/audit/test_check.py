@@ -110,7 +110,7 @@ def test_a_fault_is_graver_than_a_condition():
     ("text", "message"),
     [
         pytest.param(r"\sqrt{-1} = -x",
-                     "not decided: it contains the imaginary unit", id="complex"),
+                     "not decided: the square root of -1 is not real", id="complex"),
         pytest.param(r"\sqrt{\sqrt{\cos 2}} = -a",
                      "not decided: a root of the sine or cosine of a number is not read",
                      id="root of a transcendental number"),

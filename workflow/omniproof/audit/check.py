@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import partial
+from functools import cache, partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, assert_never
 
@@ -25,6 +25,7 @@ from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_if_false, refuse_mixed_differences, refuse_unclear
 from omniproof.formula.evaluation import evaluate
+from omniproof.formula.unfold import unfold
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError, tokenize
@@ -152,7 +153,8 @@ def _decided(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckRe
         return CheckResult(Finding.DEFINITION, printed, message=message)
     refuse_unclear(found.rest, printed, assumptions.functions)
     value = partial(evaluate, meanings=setting.meanings, source=printed)
-    steps = links(found.rest, value, printed)
+    unfolded = cache(partial(unfold, meanings=setting.letters, source=printed))
+    steps = links(found.rest, value, printed, unfolded)
     setting = _where_defined(found.rest, value, setting, steps)
     result = _result(printed, steps, [_decide(step, setting) for step in steps])
     if result.verdict is Finding.ERRATUM and found.sought:
@@ -249,7 +251,8 @@ def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> C
 def _decide(part: Link, setting: Setting) -> Answer:
     """Decide one link; one confirmation is enough, since z3 takes as long to import as SymPy."""
     if part.operator == "=":
-        answer = confirmed_equal(part.left, part.right, setting.domain, enough=1)
+        sides = part.left, part.right
+        answer = confirmed_equal(*sides, setting.domain, enough=1, terms=part.terms)
     else:
         from omniproof.audit.comparison import compare
 

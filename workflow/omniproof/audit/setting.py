@@ -18,6 +18,7 @@ from omniproof.audit.answer import Domain
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.exact import sign, subtract
 from omniproof.formula.evaluation import evaluate
+from omniproof.formula.term import Symbol
 from omniproof.transcription import tree
 from omniproof.transcription.conventions import ALONE, Conventions
 from omniproof.transcription.reader import read_with, symbol_name
@@ -67,6 +68,11 @@ class Setting:
 
     meanings: Mapping[str, sp.Symbol]
     domain: Domain
+
+    @property
+    def letters(self) -> dict[str, Symbol]:
+        """The same symbols, in terms."""
+        return {name: Symbol(symbol.name) for name, symbol in self.meanings.items()}
 
 
 def settle(node: tree.Node, assumptions: Assumptions) -> Setting:

@@ -7,13 +7,15 @@ verdict can then name the step and the entry that fails.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise, product
 from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
 
 from omniproof.audit.balls import UnsupportedError
+from omniproof.audit.zero_test import Terms
+from omniproof.formula.grid import Grid
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import LatexError
 
@@ -24,7 +26,8 @@ Evaluate: TypeAlias = Callable[[tree.Node], Any]
 class Link:
     """Two numbers and how they are said to be related; `place` names step and entry.
 
-    `printed` are the sides as they are printed, of which these are the entries at `index`.
+    `printed` are the sides as they are printed, of which these are the entries at `index`; `terms`
+    are they, before SymPy had an idea of them.
     """
 
     left: sp.Expr
@@ -33,6 +36,7 @@ class Link:
     place: str = ""
     printed: tuple[tree.Node, ...] = ()
     index: tuple[int, int] = (0, 0)
+    terms: Terms | None = None
 
 
 @dataclass(frozen=True)
@@ -49,16 +53,27 @@ class _Step:
         return f" {self.operator} ".join(sides)
 
 
-def links(node: tree.Node, value: Evaluate, text: str) -> tuple[Link, ...]:
-    """Take a statement apart, in printed order; `value` gives the value of a side.
+def links(
+    node: tree.Node, value: Evaluate, text: str, unfolded: Evaluate | None = None
+) -> tuple[Link, ...]:
+    """Take a statement apart, in printed order; `value` gives the value of a side in SymPy.
 
+    `unfolded` gives it in terms, for the engines that look at what is printed.
     Raises `LatexError` for what states nothing or has sides of different shapes, and
     `UnsupportedError` for statements that are not decided here.
     """
     steps = tuple(_steps(node, text))
     names = [f"`{step.source(text)}`" if len(steps) > 1 else "" for step in steps]
     named = zip(steps, names, strict=True)
-    return tuple(link for step, name in named for link in _entries(step, name, value, text))
+    found = tuple(link for step, name in named for link in _entries(step, name, value, text))
+    return found if unfolded is None else tuple(_with_terms(link, unfolded) for link in found)
+
+
+def _with_terms(link: Link, unfolded: Evaluate) -> Link:
+    row, column = link.index
+    sides = (unfolded(side) for side in link.printed)
+    left, right = (s.rows[row][column] if isinstance(s, Grid) else s for s in sides)
+    return replace(link, terms=(left, right))
 
 
 def _steps(node: tree.Node, text: str) -> Iterator[_Step]:
