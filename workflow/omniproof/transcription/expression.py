@@ -1,8 +1,8 @@
 """From the printed tree to SymPy: exact numbers, vectors as columns, shapes checked.
 
 One side of an equation may simplify on the way, since its value is all that counts here; whether
-two sides agree is asked elsewhere, of a difference that is built without evaluation. This is the
-only module of the transcription that needs SymPy.
+two sides agree is asked elsewhere, of a difference that is built without evaluation. This and
+`calls` are the only modules of the transcription that need SymPy.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ import sympy
 from sympy import Expr, ImmutableMatrix, MatrixBase, Rational, Symbol
 
 from omniproof.transcription import tree
+from omniproof.transcription.calls import call
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
 
@@ -46,11 +47,6 @@ MAX_ROWS = 6
 """Larger determinants with symbols are refused: n! terms."""
 COMPARE: dict[str, Callable[..., Any]] = {
     "<": sympy.Lt, ">": sympy.Gt, "\\leq": sympy.Le, "\\geq": sympy.Ge, "\\neq": sympy.Ne,
-}  # fmt: skip
-FUNCTIONS: dict[str, Callable[..., Any]] = {
-    "sin": sympy.sin, "cos": sympy.cos, "tan": sympy.tan, "cot": sympy.cot, "sec": sympy.sec,
-    "csc": sympy.csc, "arcsin": sympy.asin, "arccos": sympy.acos, "arctan": sympy.atan,
-    "sqrt": sympy.sqrt,
 }  # fmt: skip
 
 
@@ -270,34 +266,7 @@ def _call(scope: _Scope, node: tree.Call) -> Value:
         if not isinstance(node.argument, tree.Tuple) or len(node.argument.items) != 2:
             scope.refuse(node, "expected two arguments of `atan2`")
         return sympy.atan2(*(scope.number(item) for item in node.argument.items))
-    return _of_number(node.function, scope.number(node.argument))
-
-
-def _of_number(function: str, argument: Expr) -> Expr:
-    """Apply a function, and keep SymPy from a wrong idea of its sign where that is a number.
-
-    SymPy tells the signs of most functions from two digits: an arc cosine near 0 is 0 for it, and a
-    cotangent near a pole may be on the wrong side. Sine, cosine and arc sine are told to the end.
-    """
-    value = FUNCTIONS[function](argument)
-    if argument.free_symbols:
-        return value
-    if isinstance(value, sympy.acos) and value.is_zero:
-        return sympy.pi / 2 - sympy.asin(argument)
-    if function in _QUOTIENTS and value.has(FUNCTIONS[function]):
-        above, below = _QUOTIENTS[function]
-        return above(argument) / below(argument)
-    return value
-
-
-def _one(_argument: Expr) -> Expr:
-    return sympy.S.One
-
-
-_QUOTIENTS: dict[str, tuple[Callable[..., Expr], Callable[..., Expr]]] = {
-    "tan": (sympy.sin, sympy.cos), "cot": (sympy.cos, sympy.sin),
-    "sec": (_one, sympy.cos), "csc": (_one, sympy.sin),
-}  # fmt: skip
+    return call(node.function, scope.number(node.argument))
 
 
 def _integral(scope: _Scope, node: tree.Integral) -> Value:
