@@ -63,7 +63,7 @@ def test_a_broken_engine_is_stopped_with_both_shown(
 def test_a_broken_engine_stops_an_audit(
     monkeypatch: pytest.MonkeyPatch, tiny_folder: Path, answer: Any
 ) -> None:
-    monkeypatch.setattr(identities, "confirmed_equal", lambda *_: answer)
+    monkeypatch.setattr(identities, "confirmed_equal", lambda *_, **__: answer)
     with pytest.raises(DisagreementError, match="direct evaluation contradicts broken"):
         run.audit_paper(tiny_folder)
 
@@ -88,7 +88,7 @@ def test_what_fails_only_where_it_is_undefined_is_not_false(
 @pytest.mark.parametrize(
     "statement",
     [
-        pytest.param(r"\tan 90^\circ = x", id="a pole"),
+        pytest.param(r"\tan 90^\circ = x^2", id="a pole"),
         pytest.param(r"\arccos(x^2 + 2) = \arccos(x^2 + 2)", id="an inverse function"),
         pytest.param(r"\frac{x}{\sin^2 x + \cos^2 x - 1} = 1", id="a denominator that is 0"),
         pytest.param(r"\frac{0}{\sqrt{2} + \sqrt{3} - \sqrt{5 + 2\sqrt{6}}} = 0", id="of numbers"),

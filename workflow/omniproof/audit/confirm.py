@@ -18,9 +18,9 @@ from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import without_integrals
 from omniproof.audit.smt import Different, Equal, differ_somewhere
-from omniproof.audit.zero_test import DisagreementError, Terms, decide_equal
+from omniproof.audit.zero_test import DisagreementError, Terms, both_terms, decide_equal
 from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes
-from omniproof.formula.sympy_terms import NotATermError, positive_names, term_of
+from omniproof.formula.sympy_terms import positive_names, term_if_any, term_of
 from omniproof.formula.term import Term, subtract
 
 Vote = bool | None
@@ -57,7 +57,7 @@ def confirmed_equal(
     except UnsupportedError as reason:
         return counterexample(printed, derived, domain) or Undecided(str(reason))
     if terms is None or (printed, derived) != given:  # what stands for integrals is printed nowhere
-        terms = _terms(printed, derived)
+        terms = both_terms(term_if_any(printed), term_if_any(derived))
     answer = decide_equal(printed, derived, domain, terms)
     if isinstance(answer, Undecided):
         return answer
@@ -77,13 +77,6 @@ def confirmed_equal(
 def _both_sides(engine: str, answer: Answer, printed: Any, derived: Any) -> str:
     sides = f"{sp.sstr(printed)} = {sp.sstr(derived)}"
     return f"{engine} contradicts {'+'.join(answer.engines)} on {sides}: {answer}"
-
-
-def _terms(printed: sp.Expr, derived: sp.Expr) -> Terms | None:
-    try:
-        return term_of(printed), term_of(derived)
-    except NotATermError:
-        return None
 
 
 def _modular(answer: Answer, asked: Asked) -> Vote:

@@ -16,8 +16,10 @@ from omniproof.audit.mending import Mended, mend
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.voice import Voice
-from omniproof.formula.sympy_terms import term_of
+from omniproof.audit.zero_test import both_terms
+from omniproof.formula.sympy_terms import term_if_any, term_of
 from omniproof.formula.term import Term, multiply
+from omniproof.formula.value import Value
 from omniproof.registry import Modelled
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
@@ -47,7 +49,7 @@ class Cell:
     sides: tuple[Any, ...]
     derived: Any
     nodes: tuple[Node, ...]
-    terms: tuple[Term, ...]
+    terms: tuple[Value, ...]
     index: tuple[int, ...] = ()
     factor: Any = 1
     domain: Domain = REALS
@@ -149,10 +151,11 @@ def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int,
     for way in readings(cell.text[begin:end], context.loaded.paper.notation, context.names)[0][1:]:
         try:
             side = context.evaluate(claim.id, way.node) * cell.factor
-            term = multiply(term_of(cell.factor), context.unfolded(claim.id, way.node))
+            unfolded = context.unfolded(claim.id, way.node)
         except LatexError:  # shapes that do not fit: no formula in this reading
             continue
         sides = (*cell.sides[:place], side, *cell.sides[place + 1 :])
+        term = multiply(term_of(cell.factor), unfolded) if isinstance(unfolded, Term) else unfolded
         terms = (*cell.terms[:place], term, *cell.terms[place + 1 :])
         found, _ = _compare(replace(cell, sides=sides, terms=terms))
         if isinstance(found, Proved):
@@ -178,9 +181,10 @@ def _heard(answer: Answer, place: int, way: Reading | None, cell: Cell, voice: V
 def _compare(cell: Cell) -> tuple[Answer, int]:
     """Hold each side against what is derived; the answer on the first that fails, and its place."""
     engines: tuple[str, ...] = ()
-    derived = term_of(cell.derived)
+    derived = term_if_any(cell.derived)
     for place, (side, term) in enumerate(zip(cell.sides, cell.terms, strict=True)):
-        answer = confirmed_equal(side, cell.derived, cell.domain, terms=(term, derived))
+        terms = both_terms(term, derived)
+        answer = confirmed_equal(side, cell.derived, cell.domain, terms=terms)
         if not isinstance(answer, Proved):
             return answer, place
         engines = merge(engines, answer.engines)

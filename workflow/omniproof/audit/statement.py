@@ -14,7 +14,7 @@ from typing import Any, NoReturn, TypeAlias
 import sympy as sp
 
 from omniproof.audit.balls import UnsupportedError
-from omniproof.audit.zero_test import Terms
+from omniproof.audit.zero_test import Terms, both_terms
 from omniproof.formula.grid import Grid
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import LatexError
@@ -73,7 +73,7 @@ def _with_terms(link: Link, unfolded: Evaluate) -> Link:
     row, column = link.index
     sides = (unfolded(side) for side in link.printed)
     left, right = (s.rows[row][column] if isinstance(s, Grid) else s for s in sides)
-    return replace(link, terms=(left, right))
+    return replace(link, terms=both_terms(left, right))
 
 
 def _steps(node: tree.Node, text: str) -> Iterator[_Step]:

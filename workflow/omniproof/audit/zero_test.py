@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, repeat
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import sympy as sp
 from flint import ctx
@@ -56,6 +56,11 @@ LOW, HIGH = 128, 1_024
 FAR = (8, 80, 800)  # the first is more than a turn of the slowest angle
 Terms: TypeAlias = tuple[Term, Term]
 UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo)
+
+
+def both_terms(left: Any, right: Any) -> Terms | None:
+    """Return two sides as a pair of terms; None where one is none, as a number by cases is."""
+    return (left, right) if isinstance(left, Term) and isinstance(right, Term) else None
 
 
 class DisagreementError(RuntimeError):

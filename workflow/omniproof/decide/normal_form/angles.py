@@ -23,12 +23,13 @@ from omniproof.decide.errors import UnsupportedError, WorkLimitError
 from omniproof.decide.normal_form.constant_field import ConstantField
 from omniproof.decide.normal_form.quotient_ring import Polynomial, QuotientRing
 from omniproof.formula.monomials import Monomial, OutsideError, expand
-from omniproof.formula.term import PI, Term
+from omniproof.formula.term import PI, Number, Term
 
 LARGEST_MULTIPLE = 120
 
 CIRCULAR = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 PI_ITSELF: Monomial = frozenset({(PI, 1)})
+ONE_ITSELF: Monomial = frozenset()
 
 
 @dataclass(frozen=True)
@@ -46,6 +47,10 @@ def read_angle(argument: Term) -> Angle:
     except OutsideError as reason:
         raise UnsupportedError(str(reason)) from None
     turns = multiples.pop(PI_ITSELF, Rational(0))
+    size = multiples.get(ONE_ITSELF, Rational(0))
+    if abs(size.numerator) > LARGEST_MULTIPLE:  # an angle of its own, not so many times another
+        multiples[frozenset({(Number(size), 1)})] = Rational(1)
+        del multiples[ONE_ITSELF]
     return Angle(multiples, turns)
 
 

@@ -1,7 +1,7 @@
 """Functions of their own inverse, written without it.
 
-The square of sqrt(u) is u, and cos(a + k arccos u) a polynomial in cos a, sin a, u and
-sqrt(1 - u^2). Each is the same wherever the inverse function is defined, so that nothing is lost
+The square of sqrt(u) is u, the root of u^2 is |u|, and cos(a + k arccos u) is a polynomial in
+cos a, sin a, u and sqrt(1 - u^2). Each is the same wherever the inverse function is defined, so that nothing is lost
 but where that is, which the print tells.
 """
 
@@ -38,13 +38,17 @@ Point = tuple[Term, Term]
 
 
 def without_inverse_functions(term: Term) -> Term:
-    """Write even powers of roots, and sines and their like of inverse functions, without these."""
+    """Write powers of roots, roots of powers, and sines of inverse functions without these."""
 
     def change(part: Term) -> Term | None:
         match part:
             case Power(base=Call(function="sqrt", arguments=(inside,)), exponent=exponent):
                 if exponent % 2 == 0:
                     return Power(without_inverse_functions(inside), exponent // 2)
+            case Call(function="sqrt", arguments=(Power(base=inside, exponent=exponent),)):
+                if exponent % 2 == 0:
+                    size = Call("abs", (without_inverse_functions(inside),))
+                    return Power(size, exponent // 2)
             case Call(function=function, arguments=(argument,)) if function in CIRCULAR:
                 point = _point(without_inverse_functions(argument))
                 return None if point is None else _OF_POINT[function](*point)

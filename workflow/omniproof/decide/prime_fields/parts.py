@@ -103,8 +103,6 @@ class Parts:
     def _angle(self, argument: Term) -> None:
         multiples = expand(argument)
         turns = multiples.pop(frozenset({(PI, 1)}), Fraction(0))
-        if multiples.pop(frozenset(), 0):
-            self.unknown.add("angles that are plain numbers")
         self.angles[argument] = Angle(multiples, turns)
         self.order = lcm(self.order, 2 * turns.denominator)
         for atom, ratio in multiples.items():
@@ -115,7 +113,8 @@ class Parts:
         turned = inverse_function(atom)
         if turned is None:
             if not is_independent(atom):
-                self.unknown.add("angles that are no products of symbols")
+                plain = "plain numbers" if not atom else "no products of symbols"
+                self.unknown.add(f"angles that are {plain}")
         elif atom not in self.turned:
             self.turned[atom] = turned
             self.note(turned)
