@@ -1,8 +1,8 @@
 """Functions of their own inverse, written without it.
 
 The square of sqrt(u) is u, the root of u^2 is |u|, and cos(a + k arccos u) is a polynomial in
-cos a, sin a, u and sqrt(1 - u^2). Each is the same wherever the inverse function is defined, so that nothing is lost
-but where that is, which the print tells.
+cos a, sin a, u and sqrt(1 - u^2). Each is the same wherever the inverse function is defined, so
+that nothing is lost but where that is, which the print tells.
 """
 
 from __future__ import annotations
