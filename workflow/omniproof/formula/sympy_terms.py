@@ -14,6 +14,7 @@ from typing import Any
 
 import sympy as sp
 
+from omniproof.formula.angle import CIRCULAR, circular
 from omniproof.formula.grid import Grid
 from omniproof.formula.statement import Comparison, Logic
 from omniproof.formula.term import (
@@ -210,17 +211,7 @@ def _applied(function: str, *arguments: Any) -> Any:
         return value
     if isinstance(value, sp.acos) and value.is_zero:
         return sp.pi / 2 - sp.asin(*arguments)
-    if function in _QUOTIENTS and value.has(FUNCTIONS[function]):
-        above, below = _QUOTIENTS[function]
-        return above(*arguments) / below(*arguments)
+    if function in CIRCULAR and value.has(FUNCTIONS[function]):
+        above, below = circular(function, sp.S.One, sp.cos(*arguments), sp.sin(*arguments))
+        return above / below
     return value
-
-
-def _one(_argument: Any) -> Any:
-    return sp.S.One
-
-
-_QUOTIENTS: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
-    "tan": (sp.sin, sp.cos), "cot": (sp.cos, sp.sin),
-    "sec": (_one, sp.cos), "csc": (_one, sp.sin),
-}  # fmt: skip

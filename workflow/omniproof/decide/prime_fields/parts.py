@@ -8,16 +8,15 @@ u + i sqrt(1 - u^2).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
-from typing import NamedTuple
 
 from omniproof.decide.prime_fields.field import prime_factors
-from omniproof.formula.monomials import Monomial, OutsideError, expand
+from omniproof.formula.angle import CIRCULAR, Angle, angle_of, inverse_function, is_independent
+from omniproof.formula.monomials import Monomial, OutsideError
 from omniproof.formula.term import (
-    ONE,
     PI,
     Call,
     Number,
@@ -27,25 +26,14 @@ from omniproof.formula.term import (
     Sum,
     Symbol,
     Term,
-    divide,
     negative,
     rational,
-    root,
-    subtract,
     walk,
 )
 
-CIRCULAR = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
-SIGNED = frozenset({"sqrt", "abs"})
+NONNEGATIVE = frozenset({"sqrt", "abs"})
 """Functions of which a field knows the square, and no sign."""
 LARGEST_ORDER, LARGEST_RADICAND, LARGEST_PRIME = 10**6, 10**9, 1_000
-
-
-class Angle(NamedTuple):
-    """Sum of rational multiples of atoms, plus `turns` times pi."""
-
-    multiples: dict[Monomial, Fraction]
-    turns: Fraction
 
 
 @dataclass
@@ -83,7 +71,7 @@ class Parts:
                 self._angle(argument)
             case Call(function="sign", arguments=(argument,)):
                 self._visit(Call("abs", (argument,)))
-            case Call(function=function) if function in SIGNED:
+            case Call(function=function) if function in NONNEGATIVE:
                 self._root(term)
             case _:
                 self.letters[term] = None
@@ -101,9 +89,7 @@ class Parts:
         self.roots[term] = None
 
     def _angle(self, argument: Term) -> None:
-        multiples = expand(argument)
-        turns = multiples.pop(frozenset({(PI, 1)}), Fraction(0))
-        self.angles[argument] = Angle(multiples, turns)
+        multiples, turns = self.angles[argument] = angle_of(argument)
         self.order = lcm(self.order, 2 * turns.denominator)
         for atom, ratio in multiples.items():
             self.denominators[atom] = lcm(self.denominators.get(atom, 1), ratio.denominator)
@@ -118,43 +104,6 @@ class Parts:
         elif atom not in self.turned:
             self.turned[atom] = turned
             self.note(turned)
-
-
-def is_independent(atom: Monomial) -> bool:
-    """Whether an atom is a product of powers of symbols and pi, with a symbol in it."""
-    bases = [base for base, _ in atom]
-    plain = all(isinstance(base, Symbol | Pi) for base in bases)
-    return plain and any(isinstance(base, Symbol) for base in bases)
-
-
-def inverse_function(atom: Monomial) -> tuple[Term, Term] | None:
-    """Return cosine and sine of an atom that is an inverse function; None for any other atom."""
-    match tuple(atom):
-        case ((Call(function=function, arguments=arguments), 1),) if function in _INVERSE:
-            return _INVERSE[function](*arguments)
-    return None
-
-
-def _complement(x: Term) -> Term:
-    return root(subtract(ONE, Power(x, 2)))
-
-
-def _of_tangent(x: Term) -> tuple[Term, Term]:
-    length = root(Sum((ONE, Power(x, 2))))
-    return divide(ONE, length), divide(x, length)
-
-
-def _of_point(y: Term, x: Term) -> tuple[Term, Term]:
-    length = root(Sum((Power(x, 2), Power(y, 2))))
-    return divide(x, length), divide(y, length)
-
-
-_INVERSE: dict[str, Callable[..., tuple[Term, Term]]] = {
-    "arcsin": lambda x: (_complement(x), x),
-    "arccos": lambda x: (x, _complement(x)),
-    "arctan": _of_tangent,
-    "atan2": _of_point,
-}
 
 
 def radicand_primes(number: Fraction) -> dict[int, int]:
@@ -179,7 +128,7 @@ def is_plainly_positive(term: Term, positive: Collection[str]) -> bool:
         case Symbol(name=name):
             plain = name in positive
         case Call(function=function):
-            plain = function in SIGNED or sign_of_constant(term) == 1
+            plain = function in NONNEGATIVE or sign_of_constant(term) == 1
         case Power(base=base, exponent=exponent):
             plain = exponent % 2 == 0 or is_plainly_positive(base, positive)
         case Sum() | Product():
@@ -193,8 +142,7 @@ def sign_of_constant(term: Term) -> int:
     """Return the sign of the sine or cosine of a rational multiple of pi; 0 if it has none."""
     if not (isinstance(term, Call) and term.function in {"sin", "cos"}):
         return 0
-    multiples = expand(term.parts[0])
-    turns = multiples.pop(frozenset({(PI, 1)}), Fraction(0))
+    multiples, turns = angle_of(term.parts[0])
     turns += Fraction(1, 2) if term.function == "cos" else 0
     if multiples or turns.denominator == 1:
         return 0
