@@ -14,10 +14,10 @@ from typing import Any, TypeAlias
 
 from sympy import Dummy, Symbol
 
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.exact import subtract, vanishes
 from omniproof.audit.known_symbols import KnownSymbols, known_symbols, place_of
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.faults import Fault, nearest
 from omniproof.transcription.ids import base

@@ -10,7 +10,6 @@ from sympy import MatrixBase
 
 from omniproof.audit.agreement import disagreements
 from omniproof.audit.attribution import attribute
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
@@ -19,6 +18,7 @@ from omniproof.audit.other_notation import misread
 from omniproof.audit.own_text import refuse_own_text, same_by_name
 from omniproof.audit.readings import load_readings, unfit
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_sound_part

@@ -15,8 +15,8 @@ from typing import Any, NoReturn
 import sympy as sp
 
 from omniproof.audit.answer import Domain
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.exact import sign, subtract
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.term import Symbol
 from omniproof.transcription import tree

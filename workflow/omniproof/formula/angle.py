@@ -35,7 +35,7 @@ class Angle(NamedTuple):
 
 
 def angle_of(argument: Term) -> Angle:
-    """Split the argument of a circular function; raises `OutsideError` as `expand` does."""
+    """Split the argument of a circular function; raises `UnsupportedError` as `expand` does."""
     multiples = expand(argument)
     turns = multiples.pop(frozenset({(PI, 1)}), Fraction(0))
     return Angle(multiples, turns)

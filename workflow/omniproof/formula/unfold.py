@@ -15,6 +15,7 @@ from itertools import pairwise
 from types import FunctionType
 from typing import Any, NoReturn
 
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import LARGEST_DETERMINANT, Grid, ShapeError, cross, inner
 from omniproof.formula.monomials import is_plainly_zero
 from omniproof.formula.statement import Comparison, Logic, Statement
@@ -136,7 +137,7 @@ def _applied(scope: _Scope, node: tree.Applied) -> Value:
     if isinstance(value, FunctionType):  # an operator: `Rot(z, a)` takes an axis and an angle
         try:
             return value(*map(scope.value, node.arguments))
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, UnsupportedError):
             scope.refuse(node, f"`{node.name}` has no such arguments")
     # Arguments of what is no function would be dropped: different formulas would look alike.
     if not isinstance(function, Function):

@@ -18,11 +18,11 @@ from fractions import Fraction as Rational
 from functools import reduce
 from typing import TypeAlias
 
-from omniproof.decide.errors import UnsupportedError, WorkLimitError
 from omniproof.decide.normal_form.constant_field import ConstantField
 from omniproof.decide.normal_form.quotient_ring import Polynomial, QuotientRing
 from omniproof.formula.angle import Angle, angle_of
-from omniproof.formula.monomials import Monomial, OutsideError
+from omniproof.formula.errors import WorkLimitError
+from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import Number, Term
 
 LARGEST_MULTIPLE = 120
@@ -32,10 +32,7 @@ ONE_ITSELF: Monomial = frozenset()
 
 def read_angle(argument: Term) -> Angle:
     """Split the argument of a trigonometric function into atoms and a multiple of pi."""
-    try:
-        multiples, turns = angle_of(argument)
-    except OutsideError as reason:
-        raise UnsupportedError(str(reason)) from None
+    multiples, turns = angle_of(argument)
     size = multiples.get(ONE_ITSELF, Rational(0))
     if abs(size.numerator) > LARGEST_MULTIPLE:  # an angle of its own, not so many times another
         multiples[frozenset({(Number(size), 1)})] = Rational(1)

@@ -8,13 +8,13 @@ from fractions import Fraction as Rational
 from flint import ctx
 
 from omniproof.decide.balls import Ball, enclose, sign_of
-from omniproof.decide.errors import UnsupportedError
 from omniproof.decide.normal_form.angles import CircleChart
 from omniproof.decide.normal_form.constant_field import ConstantField, generator_names
 from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial, QuotientRing
 from omniproof.decide.normal_form.separation import Constants
 from omniproof.decide.normal_form.survey import SIGNED, Survey
 from omniproof.formula.angle import CIRCULAR, circular
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.term import Call, Number, Power, Product, Sum, Term, rational, symbols
 
 

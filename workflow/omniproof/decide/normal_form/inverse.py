@@ -10,7 +10,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from omniproof.formula.angle import CIRCULAR, Point, circular, inverse_function
-from omniproof.formula.monomials import Monomial, OutsideError, expand
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.monomials import Monomial, expand
 from omniproof.formula.term import (
     ONE,
     ZERO,
@@ -56,7 +57,7 @@ def _point(angle: Term) -> Point | None:
     """Return cosine and sine of an angle with inverse functions in it; None for any other."""
     try:
         multiples = expand(angle)
-    except OutsideError:
+    except UnsupportedError:
         return None
     points = {atom: known for atom in multiples if (known := inverse_function(atom))}
     turned = {atom: multiples.pop(atom) for atom in points}

@@ -12,10 +12,10 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from math import lcm
 
-from omniproof.decide.errors import WorkLimitError
 from omniproof.decide.normal_form.angles import read_angle
 from omniproof.decide.normal_form.constant_field import field_order, square_free_part
 from omniproof.formula.angle import CIRCULAR, Angle, is_independent
+from omniproof.formula.errors import WorkLimitError
 from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import (
     Call,

@@ -15,7 +15,8 @@ from math import lcm
 
 from omniproof.decide.prime_fields.field import prime_factors
 from omniproof.formula.angle import CIRCULAR, Angle, angle_of, inverse_function, is_independent
-from omniproof.formula.monomials import Monomial, OutsideError
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import (
     PI,
     Call,
@@ -53,11 +54,11 @@ class Parts:
     order: int = 4
 
     def note(self, terms: Iterable[Term]) -> None:
-        """Collect the parts of terms; raises `OutsideError` for what has no place in a field."""
+        """Collect the parts of terms; raises `UnsupportedError` for what no field has."""
         for term in terms:
             self._visit(term)
         if self.order > LARGEST_ORDER:
-            raise OutsideError(f"a root of unity of order {self.order} is needed")
+            raise UnsupportedError(f"a root of unity of order {self.order} is needed")
 
     def _visit(self, term: Term) -> None:
         if term in self.inside:
@@ -107,13 +108,13 @@ class Parts:
 
 
 def radicand_primes(number: Fraction) -> dict[int, int]:
-    """Factor a rational number that is not negative, prime -> exponent; raises `OutsideError`."""
+    """Factor a rational number, prime -> exponent; raises `UnsupportedError` below 0."""
     if number < 0 or number.numerator * number.denominator > LARGEST_RADICAND:
-        raise OutsideError(f"the square root of {number} is outside of what is tested")
+        raise UnsupportedError(f"the square root of {number} is outside of what is tested")
     primes = prime_factors(number.numerator) if number else {}
     primes |= {prime: -count for prime, count in prime_factors(number.denominator).items()}
     if any(prime > LARGEST_PRIME for prime in primes):
-        raise OutsideError(f"the square root of {number} is outside of what is tested")
+        raise UnsupportedError(f"the square root of {number} is outside of what is tested")
     return primes
 
 
