@@ -201,3 +201,8 @@ def entries(value: Any) -> dict[tuple[int, ...], Any]:
     if columns == 1:
         return {(i + 1,): value[i, 0] for i in range(rows)}
     return {(i + 1, k + 1): value[i, k] for i in range(rows) for k in range(columns)}
+
+
+def flat(value: Any) -> list[Any]:
+    """Entries of a matrix in printed order; an expression is its only one."""
+    return list(entries(value).values()) if isinstance(value, MatrixBase) else [value]

@@ -22,8 +22,8 @@ from omniproof.formula.term import Symbol
 from omniproof.transcription import tree
 from omniproof.transcription.conventions import ALONE, Conventions
 from omniproof.transcription.faults import nearest
+from omniproof.transcription.parses import Parse, parses
 from omniproof.transcription.reader import read_with, symbol_name
-from omniproof.transcription.readings import Reading, readings
 from omniproof.transcription.tokens import FUNCTIONS, LatexError
 
 REAL_LINE = (-sp.oo, sp.oo)
@@ -50,9 +50,9 @@ class Assumptions:
         """Read a formula in the usual way with these conventions; raises `LatexError`."""
         return read_with(text, self._conventions(), ALONE, {})
 
-    def readings(self, text: str) -> tuple[tuple[Reading, ...], bool]:
-        """Read a formula in every way, as `reader.readings` does; raises `LatexError`."""
-        return readings(text, self._conventions(), ALONE)
+    def parses(self, text: str) -> tuple[tuple[Parse, ...], bool]:
+        """Read a formula in every way, as `parses.parses` does; raises `LatexError`."""
+        return parses(text, self._conventions(), ALONE)
 
     def _conventions(self) -> Conventions:
         for short, function in self.functions.items():
