@@ -14,7 +14,7 @@ from typing import Any, NoReturn
 
 import sympy as sp
 
-from omniproof.audit.answer import Domain
+from omniproof.audit.answer import REAL_LINE, Domain
 from omniproof.audit.exact import sign, subtract
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
@@ -26,7 +26,6 @@ from omniproof.transcription.parses import Parse, parses
 from omniproof.transcription.reader import read_with, symbol_name
 from omniproof.transcription.tokens import FUNCTIONS, LatexError
 
-REAL_LINE = (-sp.oo, sp.oo)
 LARGEST_BOUND = sp.Integer(10) ** 300
 """Samples are drawn between floats, which end at 10^308."""
 _ACCENT = re.compile(r"^\\(?:wide)?(hat|bar|tilde|dot|ddot|vec)\{(\\?[A-Za-z]+)\}")

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from omniproof.formula.grid import Grid
-from omniproof.formula.statement import Statement
 from omniproof.formula.term import Term
 
 Value: TypeAlias = Any
@@ -19,6 +18,27 @@ class Function:
 
     value: Value
     of: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    r"""`a < b`; the operator is one of `=`, `<`, `>`, `\leq`, `\geq`, `\neq`."""
+
+    left: Any
+    operator: str
+    right: Any
+
+
+@dataclass(frozen=True)
+class Logic:
+    """Statements that all hold, of which one holds, or of which all or none hold."""
+
+    operator: Literal["and", "or", "equivalent"]
+    operands: tuple[Any, ...]
+
+
+Statement: TypeAlias = Comparison | Logic
+"""What is true or false of terms."""
 
 
 @dataclass(frozen=True)
