@@ -115,10 +115,10 @@ def test_the_printed_form_is_not_evaluated() -> None:
 
 FUNCTIONS = {
     **MEANINGS,
-    "g": Function(ImmutableMatrix([a, b]), (a,)),
-    "h": Function(a / b, (a, b)),
-    "k": Function(Integral(a**2, (a, 0, a)), (a,)),
-    "l": Function(Integral(a**2, (a, 0, b)), (a,)),
+    "g": Function(ImmutableMatrix([a, b]), ("a",)),
+    "h": Function(a / b, ("a", "b")),
+    "k": Function(Integral(a**2, (a, 0, a)), ("a",)),
+    "l": Function(Integral(a**2, (a, 0, b)), ("a",)),
     "turn": lambda times, angle: int(times) * angle,
 }
 

@@ -128,7 +128,7 @@ class Context:
         for printed in names(node) & self.loaded.symbols.keys():
             symbol = self.loaded.symbols[printed]
             value = own[symbol.name] if symbol.name in own else self.meaning(printed)
-            variables = tuple(self.meaning(symbol_name(latex)) for latex in symbol.of)
+            variables = tuple(self.meaning(symbol_name(latex)).name for latex in symbol.of)
             found[printed] = Function(value, variables) if variables else value
         return found
 

@@ -14,9 +14,12 @@ Value: TypeAlias = Any
 
 @dataclass(frozen=True)
 class Function:
-    """What a quantity is, and the names in it that its printed arguments replace."""
+    """What a quantity is, and the names in it that its printed arguments replace.
 
-    value: Value
+    The value is a term or grid, or SymPy's expression or matrix of a derivation.
+    """
+
+    value: Any
     of: tuple[str, ...]
 
 
