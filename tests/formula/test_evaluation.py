@@ -32,7 +32,8 @@ from sympy import (
 )
 
 from omniproof.formula.evaluation import Function, evaluate
-from omniproof.transcription.reader import LatexError, read
+from omniproof.transcription.reader import read
+from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Applied, names
 
 a, b, c, x, theta = symbols("a b c x theta", real=True)

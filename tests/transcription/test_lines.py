@@ -16,7 +16,8 @@ from sympy import ImmutableMatrix, MatrixBase, Rational, Symbol, symbols
 
 from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.model import Notation
-from omniproof.transcription.reader import read, symbol_name
+from omniproof.transcription.reader import read
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Applied, walk
 from omniproof.transcription.verbatim import sources_folder
 

@@ -21,10 +21,11 @@ from omniproof.formula.sympy_terms import Converter
 from omniproof.formula.unfold import unfold
 from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
 from omniproof.transcription.checking import known_names
+from omniproof.transcription.conventions import Names
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role
 from omniproof.transcription.model import Symbol as PrintedSymbol
-from omniproof.transcription.reader import Names, read_with
+from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, Name, Node, names
 

@@ -23,7 +23,8 @@ from omniproof.transcription import tree
 from omniproof.transcription.conventions import ALONE, Conventions
 from omniproof.transcription.faults import nearest
 from omniproof.transcription.parses import Parse, parses
-from omniproof.transcription.reader import read_with, symbol_name
+from omniproof.transcription.reader import read_with
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import FUNCTIONS, LatexError
 
 LARGEST_BOUND = sp.Integer(10) ** 300
