@@ -13,7 +13,7 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.formula.sympy_terms import FUNCTIONS
+from omniproof.formula.sympy_terms import SYMPY_FUNCTIONS
 from omniproof.transcription import tree
 
 Evaluate = Callable[[tree.Node], Any]
@@ -106,7 +106,7 @@ def _divisors(value: Any) -> set[Any]:
     powers = (power for power in value.atoms(sp.Pow) if power.exp.is_negative)
     found = {factor for power in powers for factor in _factors(power.base)}
     for name, pole in POLES.items():
-        found |= {pole(call.args[0]) for call in value.atoms(FUNCTIONS[name])}
+        found |= {pole(call.args[0]) for call in value.atoms(SYMPY_FUNCTIONS[name])}
     return found
 
 

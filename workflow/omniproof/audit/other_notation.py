@@ -19,7 +19,7 @@ from omniproof.transcription.model import Claim, Kind, Notation
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError
 
-FUNCTIONS = ("cos", "sin", "tan")
+SHORTENED = ("cos", "sin", "tan")
 """What a shorthand of one letter may stand for."""
 
 
@@ -47,7 +47,7 @@ def _others(notation: Notation) -> Iterator[tuple[Notation, str, str]]:
                 other = notation.model_copy(update={key: value})
                 yield other, f"{key}: {value or 'none'}", f"{key}: {now or 'none'}"
     for letter, now in notation.functions.items():
-        for function in FUNCTIONS:
+        for function in SHORTENED:
             if function != now:
                 functions = {**notation.functions, letter: function}
                 other = notation.model_copy(update={"functions": functions})

@@ -33,7 +33,7 @@ from omniproof.formula.term import (
 )
 from omniproof.formula.value import Cases, Comparison, Logic, Value
 
-FUNCTIONS: dict[str, Any] = {
+SYMPY_FUNCTIONS: dict[str, Any] = {
     "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "cot": sp.cot, "sec": sp.sec, "csc": sp.csc,
     "arcsin": sp.asin, "arccos": sp.acos, "arctan": sp.atan, "atan2": sp.atan2,
     "sqrt": sp.sqrt, "abs": sp.Abs, "sign": sp.sign, "exp": sp.exp, "log": sp.log,
@@ -41,8 +41,8 @@ FUNCTIONS: dict[str, Any] = {
     "power": sp.Pow,
 }  # fmt: skip
 """Functions of terms, and SymPy's."""
-CIRCULAR_FUNCTIONS = tuple(FUNCTIONS[name] for name in sorted(CIRCULAR))
-NAMES: dict[Any, str] = {function: name for name, function in FUNCTIONS.items()}
+CIRCULAR_FUNCTIONS = tuple(SYMPY_FUNCTIONS[name] for name in sorted(CIRCULAR))
+NAMES: dict[Any, str] = {function: name for name, function in SYMPY_FUNCTIONS.items()}
 COMPARE: dict[str, Callable[..., Any]] = {
     "=": sp.Eq, "<": sp.Lt, ">": sp.Gt, "\\leq": sp.Le, "\\geq": sp.Ge, "\\neq": sp.Ne,
 }  # fmt: skip
@@ -203,12 +203,12 @@ def _applied(function: str, *arguments: Any) -> Any:
     SymPy tells the signs of most functions from two digits: an arc cosine near 0 is 0 for it, and a
     cotangent near a pole may be on the wrong side. Sine, cosine and arc sine are told to the end.
     """
-    value = FUNCTIONS.get(function, sp.Function(function))(*arguments)
+    value = SYMPY_FUNCTIONS.get(function, sp.Function(function))(*arguments)
     if any(argument.free_symbols for argument in arguments):
         return value
     if isinstance(value, sp.acos) and value.is_zero:
         return sp.pi / 2 - sp.asin(*arguments)
-    if function in CIRCULAR and value.has(FUNCTIONS[function]):
+    if function in CIRCULAR and value.has(SYMPY_FUNCTIONS[function]):
         above, below = circular(function, sp.S.One, sp.cos(*arguments), sp.sin(*arguments))
         return above / below
     return value
