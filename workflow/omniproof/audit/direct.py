@@ -24,12 +24,12 @@ from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted, Un
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.digits import (
     DIGITS,
+    Found,
     NotEvaluatedError,
     UndefinedError,
     Value,
     are_equal,
     known_value,
-    number,
     value,
 )
 from omniproof.audit.sampling import sample_points
@@ -58,14 +58,11 @@ class Place(dict[Any, Any]):
 
     def __init__(self, numbers: Mapping[Any, Any]) -> None:
         super().__init__(numbers)
-        self.found: dict[tuple[object, int], Value] = {}
+        self.found: Found = {}
 
     def value(self, known: Any) -> Value:
         """Evaluate a SymPy expression or matrix; raises `UndefinedError` as `known_value` does."""
-        own = self.get(known)
-        if own is not None and own.is_Rational:
-            return mp.mpf(int(own.p)) / int(own.q)
-        return self.once(known, lambda: known_value(known, self))
+        return known_value(known, self, found=self.found)
 
     def once(self, key: object, evaluated: Callable[[], Value]) -> Value:
         """Return what is evaluated here, to the digits that are worked to, for a key."""
@@ -249,7 +246,7 @@ def printed_side(node: tree.Node, known: Callable[[tree.Symbolic], Any]) -> Side
         def meaning(symbol: tree.Symbolic, bound: Mapping[str, Value]) -> Value:
             if symbol.name in bound:
                 return bound[symbol.name]
-            moved = {known(tree.Name(name)): number(x) for name, x in bound.items()}
+            moved = {known(tree.Name(name)): x for name, x in bound.items()}
             return (Place({**place, **moved}) if moved else place).value(known(symbol))
 
         return value(node, meaning)

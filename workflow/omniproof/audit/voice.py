@@ -11,14 +11,15 @@ from sympy import Integral
 
 from omniproof.audit.answer import Answer
 from omniproof.audit.context import Context
+from omniproof.audit.digits import DIGITS
 from omniproof.audit.direct import Place, Statement, entry_of, heard, places, printed_side
 from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.tree import Node
 
 MOST_PLACES = 12
 """Enough for three that count: papers print what is defined almost everywhere."""
-ONE = 1
-"""At each, an integral of integrals takes a second."""
+IN_INTEGRALS = 1, 30
+"""Of integrals in integrals, so many places and digits take a tenth of a second."""
 
 
 class Voice:
@@ -37,8 +38,8 @@ class Voice:
         row, column = (*index, 1, 1)[:2]
         side = entry_of(self.side(printed), (row - 1, column - 1))
         symbols = self._symbols(printed).union(derived.free_symbols)
-        statement = Statement(side, "=", lambda place: place.value(derived))
-        most = ONE if derived.has(Integral) else MOST_PLACES
+        most, digits = IN_INTEGRALS if derived.has(Integral) else (MOST_PLACES, DIGITS)
+        statement = Statement(side, "=", lambda place: place.value(derived), digits)
         return heard(answer, statement, lambda: islice(self._places(symbols), most))
 
     def _symbols(self, printed: Node) -> frozenset[Any]:
