@@ -8,15 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omniproof.audit.answer import Domain
-from omniproof.audit.balls import (
-    UnsupportedError,
-    compile_balls,
-    evaluate,
-    format_ball,
-    rational_ball,
-    sign_of,
-)
+from omniproof.audit.balls import compile_balls, evaluate
 from omniproof.audit.sampling import sample_points
+from omniproof.decide.balls import format_ball, rational_ball, sign_of
+from omniproof.formula.errors import UnsupportedError
 
 x, y = sp.symbols("x y", real=True)
 p = sp.Symbol("p", positive=True)

@@ -9,10 +9,10 @@ import pytest
 import sympy as sp
 
 from omniproof.audit.answer import REALS, Domain, Proved, Refuted, Undecided
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import flattened, without_integrals
+from omniproof.formula.errors import UnsupportedError
 
 t, s = sp.symbols("t s", real=True)
 T, L = sp.symbols("T L", positive=True)

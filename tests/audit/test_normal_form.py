@@ -10,7 +10,6 @@ from flint import arb, ctx, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.balls import UnsupportedError, WorkLimitError, as_term
 from omniproof.audit.exact import sign, vanishes
 from omniproof.decide.normal_form.angles import CircleChart, TangentChart, read_angle
 from omniproof.decide.normal_form.constant_field import (
@@ -23,8 +22,9 @@ from omniproof.decide.normal_form.conversion import Converter
 from omniproof.decide.normal_form.form import NormalForm, normal_form
 from omniproof.decide.normal_form.quotient_ring import QuotientRing
 from omniproof.decide.normal_form.survey import survey
+from omniproof.formula.errors import UnsupportedError, WorkLimitError
 from omniproof.formula.monomials import expand
-from omniproof.formula.sympy_terms import positive_names
+from omniproof.formula.sympy_terms import positive_names, term_of
 
 x, y = sp.symbols("x y", real=True)
 a = sp.Symbol("a", positive=True)
@@ -33,7 +33,7 @@ sqrt, Abs, sin, cos, pi = sp.sqrt, sp.Abs, sp.sin, sp.cos, sp.pi
 
 def form_of(formula: sp.Expr) -> NormalForm:
     """Bring an expression of SymPy into normal form, with what it assumes of its symbols."""
-    return normal_form(as_term(formula), positive=positive_names(formula))
+    return normal_form(term_of(formula), positive=positive_names(formula))
 
 
 def field(order: int, primes: set[int]) -> ConstantField:
@@ -120,19 +120,19 @@ def test_square_free_parts(above, below):
     ],
 )
 def test_angles_are_linear_forms(argument, multiples, turns):
-    angle = read_angle(as_term(argument))
-    atoms = {next(iter(expand(as_term(atom)))): factor for atom, factor in multiples.items()}
+    angle = read_angle(term_of(argument))
+    atoms = {next(iter(expand(term_of(atom)))): factor for atom, factor in multiples.items()}
     assert (dict(angle.multiples), angle.turns) == (atoms, turns)
 
 
 @pytest.mark.parametrize("chart", [CircleChart, TangentChart])
 @pytest.mark.parametrize("argument", [x, 3 * x, -2 * x + pi / 6, x / 2 + 3 * y, pi / 5 - y])
 def test_both_charts_give_points_of_the_circle(chart, argument):
-    converter = Converter(survey([as_term(sin(argument))]), chart)
-    cosine, sine, common = converter.chart.cosine_sine(read_angle(as_term(argument)))
+    converter = Converter(survey([term_of(sin(argument))]), chart)
+    cosine, sine, common = converter.chart.cosine_sine(read_angle(term_of(argument)))
     ring = converter.ring
     assert ring.reduce(cosine**2 + sine**2 - common**2) == 0
-    double, _, square = converter.chart.cosine_sine(read_angle(as_term(2 * argument)))
+    double, _, square = converter.chart.cosine_sine(read_angle(term_of(2 * argument)))
     assert ring.reduce(double * common**2 - (cosine**2 - sine**2) * square) == 0
 
 

@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omniproof.audit.answer import Proved, Refuted, Undecided
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.ordering import all_equal, compare, extreme_members, is_extreme, monotone
+from omniproof.formula.errors import UnsupportedError
 
 sqrt, pi = sp.sqrt, sp.pi
 NESTED = sqrt(5 + 2 * sqrt(6))  # sqrt(2) + sqrt(3)

@@ -7,11 +7,11 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.box import Box, halves, hull
 from omniproof.audit.intervals import condition_latex, in_degrees, pieces_of
 from omniproof.audit.positivity import Negative, Open, Positive, prove_positive
 from omniproof.audit.sign_chart import Chart, recognise, sign_chart
+from omniproof.formula.errors import UnsupportedError
 
 x, y = sp.symbols("x y", real=True)
 sin, cos, pi = sp.sin, sp.cos, sp.pi

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from identity_table import RADIUS, a, x, y
 
 from omniproof.audit.answer import OnBranch, Proved, Refuted, Undecided
-from omniproof.audit.balls import as_term
 from omniproof.audit.zero_test import decide_equal
 from omniproof.decide.normal_form.survey import survey
+from omniproof.formula.sympy_terms import term_of
 
 SMALL = st.integers(-3, 3)
 
@@ -82,7 +82,7 @@ def test_conditions_are_found_through_nested_roots(left, right, condition):
     ],
 )
 def test_who_is_algebraically_independent(expression, independent):
-    assert survey([as_term(expression)]).is_independent is independent
+    assert survey([term_of(expression)]).is_independent is independent
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from omniproof.formula.sympy_terms import Converter, NotATermError, positive_names, term_of
+from omniproof.formula.sympy_terms import Converter, UnsupportedError, positive_names, term_of
 from omniproof.formula.term import Call, Power, Symbol, number, root
 
 x, y = sp.symbols("x y", real=True)
@@ -56,7 +56,7 @@ def test_what_a_term_is(expression: sp.Expr, term: object) -> None:
     "expression", [sp.Float(0.5) * x, sp.I * x, x / 0, sp.oo, sp.Dummy() + sp.nan]
 )
 def test_what_is_no_exact_real_number_is_refused(expression: sp.Expr) -> None:
-    with pytest.raises(NotATermError):
+    with pytest.raises(UnsupportedError):
         term_of(expression)
 
 

@@ -9,7 +9,8 @@ from flint import ctx
 from motion import driven, numeric
 from sympy import Abs, ImmutableMatrix, Rational, cos, exp, gamma, sin, sqrt, symbols
 
-from omniproof.audit.balls import UnsupportedError, evaluate
+from omniproof.audit.balls import evaluate
+from omniproof.formula.errors import UnsupportedError
 from omniproof.kinematics import quadrature, trajectory
 
 T = symbols("t", positive=True)

@@ -24,7 +24,7 @@ from omniproof.audit.context import Context
 from omniproof.audit.ledger import Ledger, Row, Verdict
 from omniproof.audit.run import prepare
 from omniproof.corrected import FUNCTIONS, omni_trajectory, two_roller_sphere
-from omniproof.report.anchors import base, index
+from omniproof.transcription.ids import base, index
 from omniproof.transcription.model import Kind, Source
 
 Point = dict[str, Any]

@@ -14,10 +14,10 @@ import pytest
 from audited import audited_once
 
 from omniproof.audit.ledger import Verdict
-from omniproof.report.anchors import base
 from omniproof.report.fragments.base import worst
 from omniproof.report.notebook import ChapterError, execute
 from omniproof.report.printed import StaleTextError, printed
+from omniproof.transcription.ids import base
 
 Names: TypeAlias = dict[str, Any]
 ROOT = Path(__file__).parents[2]

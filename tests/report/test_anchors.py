@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.report.anchors import anchor, base, index, selects, unique_anchors
+from omniproof.report.anchors import anchor, selects, unique_anchors
+from omniproof.transcription.ids import base, index
 
 
 @pytest.mark.parametrize(

@@ -7,14 +7,13 @@ reported together, with their place in the file.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Annotated, Any
 
 import yaml
 from pydantic import BaseModel, ConfigDict, Field, StringConstraints, ValidationError
 
-from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.faults import BadInput, Fault, nearest, shorten
 from omniproof.transcription.files import read_text
 from omniproof.visible import one_line
 
@@ -214,8 +213,7 @@ def _owner(place: Place) -> type[BaseModel]:
 
 
 def _nearest(word: str, known: Sequence[str]) -> str:
-    close = get_close_matches(word, known, n=1)
-    return f"did you mean `{close[0]}`?" if close else f"known: {', '.join(known) or 'none'}"
+    return nearest(word, known, f"known: {', '.join(known) or 'none'}")
 
 
 def _fault(file: Path, text: str, place: Place, message: str, cure: str) -> Fault:

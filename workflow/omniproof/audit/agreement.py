@@ -14,13 +14,13 @@ from typing import Any, TypeAlias
 
 from sympy import Dummy, Symbol
 
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.exact import subtract, vanishes
 from omniproof.audit.known_symbols import KnownSymbols, known_symbols, place_of
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
-from omniproof.transcription.faults import Fault
-from omniproof.transcription.messages import nearest
+from omniproof.transcription.faults import Fault, nearest
+from omniproof.transcription.ids import base
 from omniproof.transcription.model import Kind, Role
 from omniproof.transcription.model import Symbol as Declared
 from omniproof.transcription.symbols import symbol_name
@@ -40,7 +40,7 @@ def disagreements(context: Context) -> list[Fault]:
         return []
     check = _Agreement(context, known_symbols(context))
     faults = [
-        check.fault(symbol, *said)
+        context.loaded.symbol_fault(symbol.name, *said)
         for printed, symbol in context.loaded.symbols.items()
         for said in check.differences(printed, symbol)
     ]
@@ -131,18 +131,16 @@ class _Agreement:
     def unprintable(self) -> Iterator[Fault]:
         """Yield what an identity is derived in although nothing that is printed can mean it."""
         for claim, found in self.known.claims.items():
-            printed = self.context.claims.get(claim) or self.context.claims.get(_whole(claim))
+            printed = self.context.claims.get(claim) or self.context.claims.get(base(claim))
             if printed is None or printed.kind is not Kind.IDENTITY:
                 continue
             for symbol in sorted(found - self.printable - self.known.lemmas[claim], key=str):
-                place = self.context.loaded.positions[printed.id]
                 message = (
                     f"expected a derivation in what the paper prints, found `{symbol}` "
                     f"({_numbers(symbol)}) in {self.known.places[symbol.name][symbol]}"
                 )
                 cure = _meant(symbol.name, {known.name for known in self.printable})
-                path = f"claims[{printed.id}]"
-                yield Fault(place.file, place.line, place.column, path, message, cure)
+                yield self.context.loaded.fault(printed.id, message, cure)
 
     @cached_property
     def declared(self) -> frozenset[str]:
@@ -181,11 +179,6 @@ class _Agreement:
                 found |= self.known.quantities.get(self.context.loaded.symbols[printed].name, set())
         return frozenset(symbol.name for symbol in found)
 
-    def fault(self, symbol: Declared, key: str, message: str, cure: str) -> Fault:
-        place = self.context.loaded.declared_at[symbol.name, key]
-        path = f"symbols[{symbol.name}].{key}"
-        return Fault(place.file, place.line, place.column, path, message, cure)
-
 
 def _numbers(symbol: Symbol) -> str:
     """What SymPy takes a symbol for."""
@@ -218,7 +211,3 @@ def _equal(one: Any, other: Any) -> bool:
         return vanishes(subtract(one, other))
     except UnsupportedError:
         return False
-
-
-def _whole(claim: str) -> str:
-    return claim.partition("[")[0]

@@ -21,9 +21,11 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy import Expr, MatrixBase, Symbol
 
-from omniproof.audit.balls import UnsupportedError, compile_balls, rational_ball
+from omniproof.audit.balls import compile_balls
 from omniproof.audit.integrals import flattened
 from omniproof.audit.sampling import Sample, sample_points
+from omniproof.decide.balls import rational_ball
+from omniproof.formula.errors import UnsupportedError
 from omniproof.transcription import tree
 
 Values: TypeAlias = NDArray[np.float64]

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Consequence, Row, Verdict
 from omniproof.registry import Derivation
+from omniproof.transcription.ids import base
 from omniproof.transcription.model import Form, Kind
 
 
@@ -60,7 +61,7 @@ def _premise(row: Row, context: Context, faults: Mapping[str, Row]) -> str:
 def _derivation(row: Row, context: Context) -> Derivation | None:
     """Return how a row follows; the entry of a matrix follows as the matrix does."""
     derivations = context.registry.derivations
-    return derivations.get(row.id) or derivations.get(row.id.partition("[")[0])
+    return derivations.get(row.id) or derivations.get(base(row.id))
 
 
 def _is_alike(row: Row, fault: Row) -> bool:
@@ -73,7 +74,7 @@ def _only_here(row: Row, context: Context) -> bool:
     from omniproof.audit.identities import count_faults
 
     stated = Context(context.loaded, context.registry, context.readings)
-    return count_faults(context.claims[row.id.partition("[")[0]], stated) == 0
+    return count_faults(context.claims[base(row.id)], stated) == 0
 
 
 _STEPS_OF_ARGUMENTS = {Form.POSITIVE, Form.NEGATIVE, Form.CONCAVE, Form.EQUIVALENT}

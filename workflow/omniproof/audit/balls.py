@@ -8,15 +8,11 @@ from typing import Any
 import sympy as sp
 
 from omniproof.decide import balls
-from omniproof.decide.balls import Ball, Program, as_float, format_ball, rational_ball, sign_of
-from omniproof.decide.errors import UnsupportedError, WorkLimitError
-from omniproof.formula.sympy_terms import NotATermError, term_of
-from omniproof.formula.term import Term
+from omniproof.decide.balls import Ball, Program
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
 
-__all__ = [
-    "Ball", "Program", "UnsupportedError", "WorkLimitError", "as_float", "as_term", "compile_balls",
-    "evaluate", "exact_number", "format_ball", "rational_ball", "sign_of",
-]  # fmt: skip
+__all__ = ["UnsupportedError", "compile_balls", "evaluate", "exact_number"]
 
 
 def exact_number(number: Any) -> sp.Expr:
@@ -24,21 +20,12 @@ def exact_number(number: Any) -> sp.Expr:
     return sp.Integer(number) if isinstance(number, int) else number
 
 
-def as_term(expression: Any) -> Term:
-    """Return an expression as a term; raises `UnsupportedError` for what is none."""
-    try:
-        return term_of(sp.sympify(expression))
-    except NotATermError as reason:
-        raise UnsupportedError(str(reason)) from None
-
-
 def compile_balls(expressions: Sequence[sp.Expr], symbols: Sequence[sp.Symbol]) -> Program:
     """Compile expressions to one program with shared steps.
 
     Raises `UnsupportedError` for what has no enclosure: floats, complex numbers, unknown functions.
     """
-    terms = [as_term(expression) for expression in expressions]
-    return balls.compile_balls(terms, [symbol.name for symbol in symbols])
+    return balls.compile_balls(list(map(term_of, expressions)), [s.name for s in symbols])
 
 
 def evaluate(
@@ -46,4 +33,4 @@ def evaluate(
 ) -> Ball:
     """Enclose an expression at a point of rational numbers, working with `precision` bits."""
     named = {symbol.name: value for symbol, value in (point or {}).items()}
-    return balls.enclose(as_term(expression), named, precision)
+    return balls.enclose(term_of(expression), named, precision)

@@ -14,15 +14,10 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import arb, fmpq
 
-from omniproof.audit.balls import (
-    Ball,
-    UnsupportedError,
-    as_float,
-    evaluate,
-    exact_number,
-    rational_ball,
-)
+from omniproof.audit.balls import evaluate, exact_number
 from omniproof.audit.exact import sign, subtract
+from omniproof.decide.balls import Ball, as_float, rational_ball
+from omniproof.formula.errors import UnsupportedError
 
 Side: TypeAlias = tuple[fmpq, fmpq]
 Cell: TypeAlias = tuple[Side, ...]

@@ -15,8 +15,8 @@ from math import prod
 
 import sympy as sp
 
-from omniproof.audit.balls import as_term
 from omniproof.decide.normal_form.form import NormalForm, Signs
+from omniproof.formula.sympy_terms import term_of
 
 TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 MOST_PARTS = 14
@@ -79,7 +79,7 @@ def _parts(form: NormalForm, expression: sp.Expr) -> Iterator[_Part]:
     """Yield parts of the formula, positive and negative, with different sign patterns."""
     seen: set[tuple[int, frozenset[str]]] = set()
     for candidate in named_parts(expression):
-        pattern = form.sign_pattern(as_term(candidate))
+        pattern = form.sign_pattern(term_of(candidate))
         if pattern is None or not pattern[1] or pattern in seen:
             continue
         sign, places = pattern

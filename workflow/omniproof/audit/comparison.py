@@ -28,15 +28,7 @@ from omniproof.audit.answer import (
     Undecided,
     Witness,
 )
-from omniproof.audit.balls import (
-    UnsupportedError,
-    as_term,
-    compile_balls,
-    evaluate,
-    format_ball,
-    rational_ball,
-    sign_of,
-)
+from omniproof.audit.balls import compile_balls, evaluate
 from omniproof.audit.branches import TRIGONOMETRIC
 from omniproof.audit.confirm_order import confirmed_order
 from omniproof.audit.exact import sign, subtract, vanishes
@@ -45,7 +37,10 @@ from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, not_on_faces, sign_on
 from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
+from omniproof.decide.balls import format_ball, rational_ball, sign_of
 from omniproof.decide.normal_form.angles import read_angle
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Symbol
 
 ENGINE = ("flint",)
@@ -271,7 +266,7 @@ class _Comparison:
             place, side = _compact(t, *range_)
             return OnBox(self.difference.subs(symbol, place), {t: side}), place
         rest = self.difference.xreplace({call: sp.Dummy() for call in calls})
-        angles = [read_angle(as_term(call.args[0])).multiples for call in calls]
+        angles = [read_angle(term_of(call.args[0])).multiples for call in calls]
         only = frozenset({(Symbol(symbol.name), 1)})
         if symbol in rest.free_symbols or any(set(angle) != {only} for angle in angles):
             return None, None

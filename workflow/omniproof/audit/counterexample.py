@@ -22,8 +22,9 @@ from flint import acb, arb, ctx, fmpq
 from sympy.core.function import AppliedUndef
 
 from omniproof.audit.answer import Domain, Refuted, Witness
-from omniproof.audit.balls import UnsupportedError, format_ball
 from omniproof.audit.sampling import Sample, sample_points
+from omniproof.decide.balls import format_ball
+from omniproof.formula.errors import UnsupportedError
 
 __all__ = ["counterexample"]
 

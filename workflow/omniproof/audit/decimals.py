@@ -15,9 +15,11 @@ from fractions import Fraction
 import sympy as sp
 
 from omniproof.audit.answer import Undecided
-from omniproof.audit.balls import UnsupportedError, evaluate, format_ball
+from omniproof.audit.balls import evaluate
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.preimage import solve_for
+from omniproof.decide.balls import format_ball
+from omniproof.formula.errors import UnsupportedError
 
 __all__ = ["Decimal", "DecimalFinding", "Rounding", "classify", "read_decimal", "solve_for"]
 

@@ -6,8 +6,11 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.balls import UnsupportedError, as_term, evaluate, exact_number, sign_of
+from omniproof.audit.balls import evaluate, exact_number
+from omniproof.decide.balls import sign_of
 from omniproof.decide.normal_form.form import normal_form
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
 
 PRECISIONS = (64, 256, 1_024, 4_096)
 
@@ -25,7 +28,7 @@ def sign(number: sp.Expr) -> int:
         if precision == PRECISIONS[1]:
             if not ball.is_finite():
                 raise UnsupportedError(f"{number} is not a finite real number")
-            if normal_form(as_term(number)).is_zero:
+            if normal_form(term_of(number)).is_zero:
                 return 0
     raise UnsupportedError(f"{number} is too small for its sign to be told")
 

@@ -19,13 +19,14 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from omniproof.audit.answer import REALS, Domain, Proved
-from omniproof.audit.balls import UnsupportedError, as_term
 from omniproof.audit.branches import named_parts
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.signs import sign_on
 from omniproof.decide.normal_form.form import NormalForm
 from omniproof.decide.normal_form.radicals import Requirement
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
 
 REAL_LINE = (-sp.oo, sp.oo)
 MOST_ADDED = 3
@@ -101,7 +102,7 @@ def settle(form: NormalForm, expression: sp.Expr, domain: Domain) -> None:
     if domain == REALS:
         return
     for part in (*_positive(domain), *named_parts(expression)):
-        pattern = form.sign_pattern(as_term(part))
+        pattern = form.sign_pattern(term_of(part))
         own = sign_under(part, domain) if pattern and pattern[1] else None
         if pattern and own:
             places = frozenset(int(name[1:]) for name in pattern[1])

@@ -20,7 +20,7 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from omniproof.audit.balls import UnsupportedError
+from omniproof.formula.errors import UnsupportedError
 
 __all__ = ["flattened", "without_integrals"]
 

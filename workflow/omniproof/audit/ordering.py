@@ -12,8 +12,10 @@ from itertools import pairwise
 import sympy as sp
 
 from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
-from omniproof.audit.balls import UnsupportedError, evaluate, format_ball
+from omniproof.audit.balls import evaluate
 from omniproof.audit.exact import sign, subtract
+from omniproof.decide.balls import format_ball
+from omniproof.formula.errors import UnsupportedError
 
 ENGINE = ("flint",)
 

@@ -14,6 +14,7 @@ from omniproof.audit.context import Context
 from omniproof.audit.identities import count_faults
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.transcription.faults import Fault
+from omniproof.transcription.ids import base
 from omniproof.transcription.model import Claim, Kind, Notation
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError
@@ -25,22 +26,16 @@ FUNCTIONS = ("cos", "sin", "tan")
 def misread(rows: list[Row], context: Context) -> Iterator[Fault]:
     """Find wrong identities that another notation makes right, if it makes fewer wrong."""
     rows = [row for row in rows if row.kind is Kind.IDENTITY]
-    wrong = dict.fromkeys(_claim(row) for row in rows if row.verdict is Verdict.ERRATUM)
-    right = dict.fromkeys(_claim(row) for row in rows if _claim(row) not in wrong)
+    wrong = dict.fromkeys(base(row.id) for row in rows if row.verdict is Verdict.ERRATUM)
+    right = dict.fromkeys(base(row.id) for row in rows if base(row.id) not in wrong)
     for notation, wanted, found in _others(context.loaded.paper.notation):
         better = [claim for claim in wrong if _gain(notation, claim, context) > 0]
         # The right ones are many, and are read again only where they decide something.
         if better and len(better) > sum(_gain(notation, claim, context) < 0 for claim in right):
             for claim in better:
-                place = context.loaded.positions[claim]
                 message = f"expected `{wanted}`, under which more of it is true, found `{found}`"
                 cure = "settle in `notation` how the paper writes this"
-                path = f"claims[{claim}].latex"
-                yield Fault(place.file, place.line, place.column, path, message, cure)
-
-
-def _claim(row: Row) -> str:
-    return row.id.partition("[")[0]
+                yield context.loaded.fault(claim, message, cure, "latex")
 
 
 def _others(notation: Notation) -> Iterator[tuple[Notation, str, str]]:

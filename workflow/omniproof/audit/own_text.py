@@ -15,6 +15,7 @@ from omniproof.audit.known_symbols import symbols_in
 from omniproof.audit.ledger import Row
 from omniproof.audit.likeness import likeness
 from omniproof.formula.evaluation import Function
+from omniproof.transcription.ids import base
 from omniproof.transcription.model import Kind
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError
@@ -45,7 +46,7 @@ def _reads_alike(row: Row, context: Context) -> bool:
     except LatexError:
         return False
     # The order of factors is a matter of taste for numbers only.
-    claim = row.id.partition("[")[0]
+    claim = base(row.id)
     if any(isinstance(value, MatrixBase) for value in _values(printed, claim, context)):
         return printed == corrected
     return likeness(printed) == likeness(corrected)
@@ -62,7 +63,7 @@ def _values(node: Node, claim: str, context: Context) -> list[Any]:
 
 
 def _cause(row: Row, context: Context) -> str:
-    claim = row.id.partition("[")[0]
+    claim = base(row.id)
     if row.kind is not Kind.IDENTITY or claim not in context.loaded.trees:
         return "its correction is written by hand"
     found = same_by_name(claim, context)

@@ -18,9 +18,11 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from omniproof.audit.balls import Ball, Program, UnsupportedError, compile_balls, evaluate, sign_of
+from omniproof.audit.balls import compile_balls, evaluate
 from omniproof.audit.box import Box, Cell, halves, hull, middle
 from omniproof.audit.exact import subtract, vanishes
+from omniproof.decide.balls import Ball, Program, sign_of
+from omniproof.formula.errors import UnsupportedError
 
 PRECISION = 96
 MOST_CELLS = 6_000

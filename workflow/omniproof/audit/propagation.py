@@ -15,12 +15,14 @@ import sympy as sp
 from flint import ctx
 
 from omniproof.audit.answer import Undecided
-from omniproof.audit.balls import UnsupportedError, compile_balls, sign_of
+from omniproof.audit.balls import compile_balls
 from omniproof.audit.box import Box, hull
 from omniproof.audit.exact import subtract
 from omniproof.audit.intervals import Piece
 from omniproof.audit.positivity import Negative, Open, Positive, prove_positive
 from omniproof.audit.ranges import includes, meet
+from omniproof.decide.balls import sign_of
+from omniproof.formula.errors import UnsupportedError
 
 ENGINE = ("flint",)
 PRECISION = 96

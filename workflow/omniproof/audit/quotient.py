@@ -10,10 +10,11 @@ import sympy as sp
 from flint import fmpq
 
 from omniproof.audit.answer import Domain
-from omniproof.audit.balls import compile_balls, evaluate, exact_number, format_ball, sign_of
+from omniproof.audit.balls import compile_balls, evaluate, exact_number
 from omniproof.audit.box import Box
 from omniproof.audit.exact import vanishes
 from omniproof.audit.sampling import sample_points
+from omniproof.decide.balls import format_ball, sign_of
 
 PROBES = 40
 QUOTIENTS = {

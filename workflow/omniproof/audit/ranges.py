@@ -15,11 +15,12 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.balls import evaluate, format_ball
+from omniproof.audit.balls import evaluate
 from omniproof.audit.decimals import read_decimal
 from omniproof.audit.exact import sign
 from omniproof.audit.intervals import Piece
 from omniproof.audit.ordering import compare
+from omniproof.decide.balls import format_ball
 
 Pieces: TypeAlias = tuple[Piece, ...]
 """Disjoint intervals in ascending order."""

@@ -72,10 +72,8 @@ def unfit(readings: Mapping[str, Read], loaded: LoadedPaper) -> Iterator[Fault]:
     """Find verdicts that a claim cannot take, and corrections to what is printed."""
     for claim in loaded.claims:
         if claim.id in readings:
-            for message, cure in _unfit(readings[claim.id], claim):
-                place = loaded.positions[claim.id]
-                path = f"claims[{claim.id}]"
-                yield Fault(place.file, place.line, place.column, path, message, cure)
+            for said in _unfit(readings[claim.id], claim):
+                yield loaded.fault(claim.id, *said)
 
 
 def _unfit(reading: Read, claim: Claim) -> Iterator[tuple[str, str]]:

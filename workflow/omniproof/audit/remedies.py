@@ -10,7 +10,6 @@ import numpy as np
 
 from omniproof.audit.answer import Answer, Proved
 from omniproof.audit.approximate import ShapeError, Values, at_points, evaluate
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.definitions import parts
 from omniproof.audit.direct import heard_on
 from omniproof.audit.likeness import likeness
@@ -20,6 +19,7 @@ from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_unclear
 from omniproof.audit.zero_test import decide_equal
 from omniproof.formula import evaluation
+from omniproof.formula.errors import UnsupportedError
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import LatexError
 

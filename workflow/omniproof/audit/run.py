@@ -10,7 +10,6 @@ from sympy import MatrixBase
 
 from omniproof.audit.agreement import disagreements
 from omniproof.audit.attribution import attribute
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.context import Context
 from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
@@ -19,6 +18,7 @@ from omniproof.audit.other_notation import misread
 from omniproof.audit.own_text import refuse_own_text, same_by_name
 from omniproof.audit.readings import load_readings, unfit
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_sound_part
@@ -124,7 +124,7 @@ def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
         nodes = context.sides(claim.id) if compared else (context.loaded.trees[claim.id],)
         values = [context.evaluate(claim.id, node) for node in nodes]
     except LatexError as error:
-        yield _fault(claim, context, error.message, error.cure)
+        yield context.loaded.fault(claim.id, error.message, error.cure, "latex")
         return
     if compared and any(isinstance(value, MatrixBase) for value in values):
         yield from _shapes(claim, context, values)
@@ -139,30 +139,23 @@ def _no_domain(claim: Claim, context: Context) -> Iterator[Fault]:
     try:
         context.domain(claim.id)
     except (LatexError, UnsupportedError) as reason:
-        place = context.loaded.positions[claim.id]
         message = getattr(reason, "message", str(reason))
-        path = f"claims[{claim.id}].assumes"
-        yield Fault(place.file, place.line, place.column, path, message, "see `range` of symbols")
+        yield context.loaded.fault(claim.id, message, "see `range` of symbols", "assumes")
 
 
 def _shapes(claim: Claim, context: Context, values: list[object]) -> Iterator[Fault]:
     expected = _shape(context.derive_by_mechanics(claim.id))
     for found in map(_shape, values):
         if found != expected:
+            message = f"expected {expected}, found {found}"
             cure = "write every row with as many entries as the paper prints"
-            yield _fault(claim, context, f"expected {expected}, found {found}", cure)
+            yield context.loaded.fault(claim.id, message, cure, "latex")
 
 
 def _shape(value: object) -> str:
     if isinstance(value, MatrixBase):
         return f"a matrix of {value.rows} x {value.cols}"
     return "a single expression"
-
-
-def _fault(claim: Claim, context: Context, message: str, cure: str) -> Fault:
-    place = context.loaded.positions[claim.id]
-    path = f"claims[{claim.id}].latex"
-    return Fault(place.file, place.line, place.column, path, message, cure)
 
 
 def _choose(name: str, context: Context) -> str:

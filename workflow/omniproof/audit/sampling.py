@@ -15,14 +15,9 @@ import sympy as sp
 from flint import fmpq
 
 from omniproof.audit.answer import REALS, Domain
-from omniproof.audit.balls import (
-    UnsupportedError,
-    as_float,
-    evaluate,
-    exact_number,
-    rational_ball,
-    sign_of,
-)
+from omniproof.audit.balls import evaluate, exact_number
+from omniproof.decide.balls import as_float, rational_ball, sign_of
+from omniproof.formula.errors import UnsupportedError
 
 MOST_TRIES = 60  # points tried for one at which all conditions hold
 REACH = 6  # length of the interval in which an unbounded symbol is sampled, unless told

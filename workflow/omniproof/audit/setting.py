@@ -15,12 +15,13 @@ from typing import Any, NoReturn
 import sympy as sp
 
 from omniproof.audit.answer import Domain
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.exact import sign, subtract
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.term import Symbol
 from omniproof.transcription import tree
 from omniproof.transcription.conventions import ALONE, Conventions
+from omniproof.transcription.faults import nearest
 from omniproof.transcription.reader import read_with, symbol_name
 from omniproof.transcription.readings import Reading, readings
 from omniproof.transcription.tokens import FUNCTIONS, LatexError
@@ -118,8 +119,7 @@ def _ranges(found: Collection[str], assumptions: Assumptions) -> dict[str, tuple
     ranges: dict[str, tuple[Any, Any]] = {}
     for name, lower, upper, text in _limits(assumptions):
         if name not in found:
-            near = get_close_matches(name, found, n=1)
-            cure = f"did you mean `{near[0]}`?" if near else "leave the assumption out"
+            cure = nearest(name, found, "leave the assumption out")
             _refuse(text, f"the formula has no symbol `{name}`", cure)
         old = ranges.get(name, REAL_LINE)
         both = _larger(old[0], lower), -_larger(-old[1], -upper)

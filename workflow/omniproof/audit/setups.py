@@ -26,7 +26,6 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from omniproof.audit.answer import Undecided
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import DecimalFinding, solve_for
 from omniproof.audit.exact import sign
@@ -46,6 +45,7 @@ from omniproof.audit.ranges import (
     show,
     stands_for,
 )
+from omniproof.formula.errors import UnsupportedError
 
 ENGINE = ("flint",)
 DIGITS = 12

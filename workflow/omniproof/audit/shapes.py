@@ -20,12 +20,12 @@ import sympy as sp
 
 from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.answer import Witness as Point
-from omniproof.audit.balls import UnsupportedError, WorkLimitError
 from omniproof.audit.branches import is_root
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.exact import sign
 from omniproof.audit.hypotheses import sign_under
 from omniproof.audit.signs import guarded
+from omniproof.formula.errors import UnsupportedError, WorkLimitError
 from omniproof.registry import Curve
 
 ENGINE = ("flint",)

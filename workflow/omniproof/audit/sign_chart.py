@@ -18,10 +18,12 @@ from typing import Any
 import sympy as sp
 from flint import arb, ctx
 
-from omniproof.audit.balls import Program, UnsupportedError, as_float, compile_balls, evaluate
+from omniproof.audit.balls import compile_balls, evaluate
 from omniproof.audit.box import Box
 from omniproof.audit.exact import vanishes
 from omniproof.audit.positivity import Positive, prove_positive
+from omniproof.decide.balls import Program, as_float
+from omniproof.formula.errors import UnsupportedError
 
 GRID = 240
 BISECTIONS = 60

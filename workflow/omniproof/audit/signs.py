@@ -10,13 +10,15 @@ from typing import Any, TypeAlias
 import sympy as sp
 
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
-from omniproof.audit.balls import UnsupportedError, evaluate, format_ball
+from omniproof.audit.balls import evaluate
 from omniproof.audit.box import Box, middle
 from omniproof.audit.exact import sign, vanishes
 from omniproof.audit.intervals import Piece, condition_latex, in_degrees, pieces_of
 from omniproof.audit.positivity import Open, Positive, prove_positive
 from omniproof.audit.quotient import Family, OnBox, Quotient
 from omniproof.audit.sign_chart import Chart, recognise, sign_chart
+from omniproof.decide.balls import format_ball
+from omniproof.formula.errors import UnsupportedError
 
 ENGINE = ("flint",)
 CLAIM = {1: "> 0", -1: "< 0"}

@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.balls import UnsupportedError, evaluate
+from omniproof.audit.balls import evaluate
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.smt import (
     CIRCULAR,
@@ -29,6 +29,7 @@ from omniproof.audit.smt import (
     OutsideError,
     Translation,
 )
+from omniproof.formula.errors import UnsupportedError
 
 STEPS = 100_000
 DIGITS = 20

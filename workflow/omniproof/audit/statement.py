@@ -13,8 +13,8 @@ from typing import Any, NoReturn, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.zero_test import Terms, both_terms
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import Grid
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import LatexError

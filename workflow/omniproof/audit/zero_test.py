@@ -28,26 +28,18 @@ from omniproof.audit.answer import (
     Undecided,
     Witness,
 )
-from omniproof.audit.balls import (
-    Ball,
-    Program,
-    UnsupportedError,
-    as_term,
-    evaluate,
-    exact_number,
-    format_ball,
-    rational_ball,
-)
+from omniproof.audit.balls import evaluate, exact_number
 from omniproof.audit.branches import Condition, find_condition
 from omniproof.audit.exact import subtract
 from omniproof.audit.hypotheses import interior, settle
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import REACH, Sample, by_name, sample_points
 from omniproof.audit.signs import sign_on
-from omniproof.decide.balls import compile_balls
+from omniproof.decide.balls import Ball, Program, compile_balls, format_ball, rational_ball
 from omniproof.decide.normal_form.form import NormalForm, normal_form
 from omniproof.decide.normal_form.survey import is_radical
-from omniproof.formula.sympy_terms import positive_names
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import positive_names, term_of
 from omniproof.formula.term import Term, symbols, walk
 
 ENGINE = ("flint",)
@@ -105,7 +97,7 @@ def _guarded(
     printed: sp.Expr, derived: sp.Expr, domain: Domain, terms: Terms | None = None
 ) -> Answer:
     try:
-        sides = terms or (as_term(printed), as_term(derived))
+        sides = terms or (term_of(printed), term_of(derived))
         return _Question(printed, derived, domain, sides).answer()
     except UnsupportedError as reason:
         return Undecided(str(reason), ENGINE)

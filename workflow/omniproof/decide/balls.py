@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 
 from flint import arb, arb_series, ctx, fmpq
 
-from omniproof.decide.errors import UnsupportedError
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.term import Call, Number, Pi, Power, Product, Sum, Symbol, Term
 
 CANCELLED = 1e-20

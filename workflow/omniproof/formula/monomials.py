@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from functools import reduce
 
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.term import Number, Power, Product, Sum, Term
 
 Monomial = frozenset[tuple[Term, int]]
@@ -16,14 +17,10 @@ MOST_MONOMIALS, LARGEST_POWER = 1_000, 12
 """Angles of formulas that people write have a handful; beyond these, expanding takes the time."""
 
 
-class OutsideError(ValueError):
-    """The formula is outside of what this engine tests; its text says why."""
-
-
 def expand(term: Term) -> Expanded:
     """Multiply a term out; none of its monomials has the factor 0.
 
-    Raises `OutsideError` for too many monomials, and for a division by zero.
+    Raises `UnsupportedError` for too many monomials, and for a division by zero.
     """
     match term:
         case Number(value=value):
@@ -41,13 +38,13 @@ def is_plainly_zero(term: Term) -> bool:
     """Whether a term is 0 as soon as it is multiplied out: `b - b`, `0 x`."""
     try:
         return not expand(term)
-    except OutsideError:
+    except UnsupportedError:
         return False
 
 
 def _power(term: Power, base: Expanded, exponent: int) -> Expanded:
     if not base and exponent < 0:
-        raise OutsideError("a denominator is identically zero")
+        raise UnsupportedError("a denominator is identically zero")
     if len(base) == 1:
         ((monomial, factor),) = base.items()
         powers = frozenset((part, count * exponent) for part, count in monomial if exponent)
@@ -67,7 +64,7 @@ def _sum(parts: Iterable[Expanded]) -> Expanded:
 
 def _times(left: Expanded, right: Expanded) -> Expanded:
     if len(left) * len(right) > MOST_MONOMIALS:
-        raise OutsideError(f"an angle has more than {MOST_MONOMIALS} monomials")
+        raise UnsupportedError(f"an angle has more than {MOST_MONOMIALS} monomials")
     return _sum({_join(m, n): a * b} for m, a in left.items() for n, b in right.items())
 
 

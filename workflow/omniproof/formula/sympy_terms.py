@@ -14,6 +14,8 @@ from typing import Any
 
 import sympy as sp
 
+from omniproof.formula.angle import CIRCULAR, circular
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import Grid
 from omniproof.formula.statement import Comparison, Logic
 from omniproof.formula.term import (
@@ -47,12 +49,8 @@ COMPARE: dict[str, Callable[..., Any]] = {
 JOIN: dict[str, Callable[..., Any]] = {"and": sp.And, "or": sp.Or, "equivalent": sp.Equivalent}
 
 
-class NotATermError(ValueError):
-    """An expression of SymPy that stands for no exact real number; the text says why."""
-
-
 def term_of(expression: Any) -> Term:
-    """Return an expression of SymPy, or a number, as a term; raises `NotATermError`."""
+    """Return an expression of SymPy, or a number, as a term; raises `UnsupportedError`."""
     return _term(sp.sympify(expression))
 
 
@@ -60,7 +58,7 @@ def term_if_any(expression: Any) -> Term | None:
     """Return an expression as a term; None for one that is none."""
     try:
         return term_of(expression)
-    except NotATermError:
+    except UnsupportedError:
         return None
 
 
@@ -102,7 +100,7 @@ def _integral(node: Any) -> Term:
     inside = _term(node.function)
     for variable, *ends in node.limits:
         if len(ends) != 2:
-            raise NotATermError("an integral has no ends")
+            raise UnsupportedError("an integral has no ends")
         inside = Integral(inside, Symbol(variable.name), *map(_term, ends))
     return inside
 
@@ -111,7 +109,7 @@ def _call(node: Any) -> Term:
     """Name a function; one that no engine knows is as good as any other number."""
     name = NAMES.get(node.func) or (str(node.func) if node.is_Function else "")
     if not (name and node.args) or isinstance(node, sp.Piecewise):
-        raise NotATermError(_refusal(node))
+        raise UnsupportedError(_refusal(node))
     return Call(name, tuple(map(_term, node.args)))
 
 
@@ -139,14 +137,14 @@ class Converter:
         self._symbols: dict[str, Any] = {}
 
     def term(self, expression: Any) -> Term:
-        """Return an expression of SymPy as a term; raises `NotATermError`."""
+        """Return an expression of SymPy as a term; raises `UnsupportedError`."""
         node = sp.sympify(expression)
         term = _term(node)
         self._given.setdefault(term, node)
         return term
 
     def value(self, expression: Any) -> Any:
-        """Return an expression or a matrix as a term or a grid; raises `NotATermError`."""
+        """Return an expression or a matrix as a term or a grid; raises `UnsupportedError`."""
         if isinstance(expression, sp.MatrixBase):
             return Grid(tuple(tuple(map(self.term, row)) for row in expression.tolist()))
         return self.term(expression)
@@ -214,17 +212,7 @@ def _applied(function: str, *arguments: Any) -> Any:
         return value
     if isinstance(value, sp.acos) and value.is_zero:
         return sp.pi / 2 - sp.asin(*arguments)
-    if function in _QUOTIENTS and value.has(FUNCTIONS[function]):
-        above, below = _QUOTIENTS[function]
-        return above(*arguments) / below(*arguments)
+    if function in CIRCULAR and value.has(FUNCTIONS[function]):
+        above, below = circular(function, sp.S.One, sp.cos(*arguments), sp.sin(*arguments))
+        return above / below
     return value
-
-
-def _one(_argument: Any) -> Any:
-    return sp.S.One
-
-
-_QUOTIENTS: dict[str, tuple[Callable[..., Any], Callable[..., Any]]] = {
-    "tan": (sp.sin, sp.cos), "cot": (sp.cos, sp.sin),
-    "sec": (_one, sp.cos), "csc": (_one, sp.sin),
-}  # fmt: skip

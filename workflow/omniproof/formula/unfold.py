@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from fractions import Fraction
 from functools import reduce
 from itertools import pairwise
 from types import FunctionType
 from typing import Any, NoReturn
 
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import LARGEST_DETERMINANT, Grid, ShapeError, cross, inner
 from omniproof.formula.monomials import is_plainly_zero
 from omniproof.formula.statement import Comparison, Logic, Statement
@@ -39,6 +39,7 @@ from omniproof.formula.term import (
 )
 from omniproof.formula.value import Cases, Function, Value, kind
 from omniproof.transcription import tree
+from omniproof.transcription.faults import nearest
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
 
@@ -126,8 +127,7 @@ def _meaning(scope: _Scope, node: tree.Name | tree.Applied) -> Value:
         return meaning.value if isinstance(meaning, Function) else meaning
     if name.removeprefix("\\det ") in scope.meanings:
         return _determinant(scope, node, scope.square(tree.Name(name[5:], span=node.span)))
-    near = get_close_matches(name, list(scope.meanings), n=1)
-    cure = f"did you mean `{near[0]}`?" if near else "declare it among the symbols of the paper"
+    cure = nearest(name, scope.meanings, "declare it among the symbols of the paper")
     return scope.refuse(node, f"unknown symbol `{name}`", cure)
 
 
@@ -137,7 +137,7 @@ def _applied(scope: _Scope, node: tree.Applied) -> Value:
     if isinstance(value, FunctionType):  # an operator: `Rot(z, a)` takes an axis and an angle
         try:
             return value(*map(scope.value, node.arguments))
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, UnsupportedError):
             scope.refuse(node, f"`{node.name}` has no such arguments")
     # Arguments of what is no function would be dropped: different formulas would look alike.
     if not isinstance(function, Function):

@@ -19,17 +19,6 @@ def anchor(claim_id: str) -> str:
     return _OTHER.sub("-", claim_id).strip("-")
 
 
-def base(claim_id: str) -> str:
-    """Return the id without its index: the matrix or table that an entry belongs to."""
-    return claim_id.split("[", 1)[0]
-
-
-def index(claim_id: str) -> tuple[str, ...]:
-    """Return the parts of the index: `eq:6[2,3]` gives `("2", "3")`, `eq:7` gives `()`."""
-    _, _, rest = claim_id.partition("[")
-    return tuple(rest.rstrip("]").split(",")) if rest else ()
-
-
 def unique_anchors(claim_ids: Iterable[str]) -> dict[str, str]:
     """Return id -> anchor.
 

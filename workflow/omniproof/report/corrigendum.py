@@ -15,8 +15,8 @@ from dataclasses import dataclass
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict
 from omniproof.audit.places import where
-from omniproof.report.anchors import base
 from omniproof.report.latexfmt import CLAIM
+from omniproof.transcription.ids import base
 from omniproof.transcription.model import Edition, Kind, Source
 
 LISTED = frozenset({Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.INCONSISTENT})

@@ -16,7 +16,7 @@ import omniproof
 from omniproof.audit.ledger import Ledger
 from omniproof.corrected.formula import derived_form
 from omniproof.registry import Registry, load_registry
-from omniproof.report.anchors import base, index
+from omniproof.transcription.ids import base, index
 
 LONGEST = 1500
 """Characters of SymPy text; a longer one would make the page heavy, and is read from the code."""

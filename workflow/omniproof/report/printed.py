@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 from typing import Any, NoReturn
@@ -27,9 +26,10 @@ from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.run import prepare_to_judge
 from omniproof.registry import Fit
-from omniproof.report.anchors import base, index
 from omniproof.report.fragments.base import Fragment, worst
 from omniproof.report.fragments.printed import printed_beside
+from omniproof.transcription.faults import nearest
+from omniproof.transcription.ids import base, index
 from omniproof.transcription.loader import FILE
 from omniproof.transcription.model import Claim, Kind
 from omniproof.transcription.symbols import symbol_name
@@ -180,8 +180,8 @@ def _flat(value: Any) -> list[Any]:
 
 
 def _near(word: str, known: Iterable[str]) -> str:
-    near = get_close_matches(word, known, n=1)
-    return f": did you mean `{near[0]}`?" if near else ""
+    cure = nearest(word, known)
+    return f": {cure}" if cure else ""
 
 
 def _folder(paper: str) -> Path:

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from omniproof.audit.ledger import Ledger, Row, Verdict
-from omniproof.report.anchors import base
 from omniproof.report.latexfmt import is_latex
+from omniproof.transcription.ids import base
 from omniproof.transcription.model import Kind
 
 JUDGED = frozenset({Kind.IDENTITY, Kind.VALUE, Kind.RELATION})

@@ -12,8 +12,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from omniproof.audit.ledger import Row, read_json
-from omniproof.report.anchors import index, selects
+from omniproof.report.anchors import selects
 from omniproof.report.decimals import split_interval
+from omniproof.transcription.ids import index
 from omniproof.transcription.model import Kind
 from omniproof.transcription.paperfile import load_document
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import get_close_matches
 
-from omniproof.transcription.faults import shorten
+from omniproof.transcription.faults import nearest, shorten
 
 
 class UnknownNameError(LookupError):
@@ -15,6 +14,5 @@ class UnknownNameError(LookupError):
 def unknown(what: str, name: str, known: Iterable[str]) -> UnknownNameError:
     """Return the error for a name that is none of those `known`, with the nearest one."""
     known = list(known)
-    close = get_close_matches(name[:80], known, n=1)
-    cure = f"did you mean `{close[0]}`?" if close else f"known: {', '.join(known)}"
+    cure = nearest(name, known, f"known: {', '.join(known)}")
     return UnknownNameError(f"expected a {what}, found {shorten(name)}\n    {cure}")

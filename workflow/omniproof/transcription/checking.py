@@ -15,9 +15,10 @@ from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from omniproof.transcription.faults import BadInput, Fault, shorten
-from omniproof.transcription.messages import label, model_fault, nearest
-from omniproof.transcription.model import ID, Claim, Notation, Paper, Reading, Role, Symbol, Table
+from omniproof.transcription.faults import BadInput, Fault, nearest, shorten
+from omniproof.transcription.ids import base, whole
+from omniproof.transcription.messages import label, model_fault
+from omniproof.transcription.model import Claim, Notation, Paper, Reading, Role, Symbol, Table
 from omniproof.transcription.paperfile import Document, Path_, Tree
 from omniproof.transcription.reader import LatexError, Names, read_with, symbol_name
 from omniproof.transcription.tablefile import Cell, load_table, unit_faults
@@ -39,6 +40,10 @@ class Position:
     file: str
     line: int
     column: int
+
+    def fault(self, path: str, message: str, cure: str = "") -> Fault:
+        """Return a fault of what stands here."""
+        return Fault(self.file, self.line, self.column, path, message, cure)
 
 
 @dataclass
@@ -310,17 +315,17 @@ class Check:
     def check_pointers(self) -> None:
         """What a claim points to is a claim, or a place that has claims."""
         ids = set(self.positions) | self.printed("claims")
-        wholes = {_whole(claim) for claim in ids}
+        wholes = {whole(claim) for claim in ids}
         for i, claim in self.claims.items():
             for k, other in enumerate(claim.agrees_with):
                 path: Path_ = ("claims", i, "agrees_with", k)
                 if other == claim.id:
                     self.fault(path, "expected another claim, found the claim itself")
-                elif other not in ids and _without_index(other) not in ids:
+                elif other not in ids and base(other) not in ids:
                     message = f"expected the id of a claim, found `{other}`"
                     self.fault(path, message, nearest(other, ids))
             target = claim.target
-            if target and target not in ids | wholes and _without_index(target) not in ids:
+            if target and target not in ids | wholes and base(target) not in ids:
                 message = f"expected an equation, figure or section with claims, found `{target}`"
                 self.fault(("claims", i, "target"), message, nearest(target, ids | wholes))
 
@@ -349,15 +354,6 @@ def _is_inequality(node: Node) -> bool:
     if isinstance(node, Logic):
         return node.operator == "and" and all(_is_inequality(part) for part in node.operands)
     return isinstance(node, Comparison)
-
-
-def _whole(claim: str) -> str:
-    match = ID.fullmatch(claim)
-    return f"{match['object']}:{match['number']}{match['again'] or ''}" if match else claim
-
-
-def _without_index(claim: str) -> str:
-    return claim.partition("[")[0]
 
 
 def one_is_enough(values: Tree) -> Tree:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from difflib import get_close_matches
 
 from omniproof.visible import one_line
 
@@ -57,3 +58,9 @@ def shorten(text: str, limit: int = 60) -> str:
     """Cut a long value for a message; line breaks and control characters become visible."""
     shown = repr(text if len(text) <= limit else text[: limit - 1] + "…")
     return shown if len(text) <= limit else f"{shown} ({len(text)} characters)"
+
+
+def nearest(word: str, known: Iterable[str], otherwise: str = "") -> str:
+    """The cure "did you mean …?" for a word that is almost a known one."""
+    near = get_close_matches(word[:80], list(known), n=1)
+    return f"did you mean `{near[0]}`?" if near else otherwise

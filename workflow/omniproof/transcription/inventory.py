@@ -14,10 +14,10 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.faults import BadInput, Fault, nearest, shorten
 from omniproof.transcription.files import display_name, read_text
+from omniproof.transcription.ids import whole
 from omniproof.transcription.loader import LoadedPaper
-from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Kind, Source
 
 PRINTED = frozenset({Kind.IDENTITY, Kind.VALUE, Kind.REFERENCE})
@@ -170,16 +170,13 @@ def _unlisted_claims(rows: Iterable[Row], loaded: LoadedPaper) -> Iterator[Fault
     Of a lost display nothing is printed.
     """
     named = {claim for row in rows for claim in row.claims}
-    wholes = {_whole(claim) for claim in named}
+    wholes = {whole(claim) for claim in named}
     for claim in loaded.claims:
         if claim.kind in PRINTED and claim.source is not Source.LOST:
-            if claim.id in named or (claim.id.startswith("eq:") and _whole(claim.id) in wholes):
+            if claim.id in named or (claim.id.startswith("eq:") and whole(claim.id) in wholes):
                 continue
-            place = loaded.positions[claim.id]
             message = "expected a row of the inventory that names this claim, found none"
-            path = f"claims[{claim.id}]"
-            cure = f"name it in a row for line {claim.line}"
-            yield Fault(place.file, place.line, place.column, path, message, cure)
+            yield loaded.fault(claim.id, message, f"name it in a row for line {claim.line}")
 
 
 def _against_source(rows: Iterable[Row], items: Iterable[Item], name: str) -> Iterator[Fault]:
@@ -198,7 +195,3 @@ def _against_source(rows: Iterable[Row], items: Iterable[Item], name: str) -> It
         if key not in found:
             message = f"expected an item of the source text, found {shorten(row.text)}"
             yield Fault(name, row.place, 1, row.item, message, "remove the row")
-
-
-def _whole(claim: str) -> str:
-    return re.split(r"[/\[]", claim)[0]

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from omniproof.transcription.checking import Check, Position, one_is_enough
 from omniproof.transcription.faults import BadInput, Fault
-from omniproof.transcription.files import refuse_no_folder
+from omniproof.transcription.files import display_name, refuse_no_folder
 from omniproof.transcription.model import Claim, Paper, Symbol
 from omniproof.transcription.paperfile import load_document
 from omniproof.transcription.tablefile import Cell
@@ -48,6 +48,20 @@ class LoadedPaper:
         """Return all that a claim prints: its formula, its points, what it assumes."""
         whole = (self.trees[claim],) if claim in self.trees else ()
         return (*whole, *self.points.get(claim, ()), *self.assumptions.get(claim, ()))
+
+    @property
+    def start(self) -> Position:
+        """Where the paper file starts: the place of what has none of its own."""
+        return Position(display_name(self.folder / FILE), 1, 1)
+
+    def fault(self, claim: str, message: str, cure: str = "", key: str = "") -> Fault:
+        """Return a fault of a claim, or of one of its keys."""
+        path = f"claims[{claim}].{key}" if key else f"claims[{claim}]"
+        return self.positions[claim].fault(path, message, cure)
+
+    def symbol_fault(self, name: str, key: str, message: str, cure: str = "") -> Fault:
+        """Return a fault of a key of a symbol, which is called by its name."""
+        return self.declared_at[name, key].fault(f"symbols[{name}].{key}", message, cure)
 
 
 def load_paper(folder: Path) -> LoadedPaper:

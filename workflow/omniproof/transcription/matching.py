@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from contextlib import suppress
 
-from omniproof.transcription.faults import Fault, shorten
-from omniproof.transcription.files import display_name
-from omniproof.transcription.loader import FILE, LoadedPaper, Position
-from omniproof.transcription.messages import nearest
+from omniproof.transcription.faults import Fault, nearest, shorten
+from omniproof.transcription.ids import base
+from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Kind, Role
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
@@ -45,15 +44,15 @@ def needs_derivation(claim: Claim) -> bool:
 
 
 def _underived(loaded: LoadedPaper, ids: Collection[str]) -> Iterator[Fault]:
-    covered = {*ids, *(_whole(item) for item in ids)}
+    covered = {*ids, *(base(item) for item in ids)}
     for claim in loaded.claims:
-        if needs_derivation(claim) and not {claim.id, _whole(claim.id)} & covered:
+        if needs_derivation(claim) and not {claim.id, base(claim.id)} & covered:
             message = f"expected a derivation for this {claim.kind}, found none"
             cure = (
                 f'add a function with `@REGISTRY.derives("{claim.id}")` '
                 f"to {_code(loaded)}, or say why it is `uncheckable`"
             )
-            yield _fault(loaded, claim.id, message, cure)
+            yield loaded.fault(claim.id, message, cure)
 
 
 def _readings(loaded: LoadedPaper, ids: Collection[str]) -> Iterator[Fault]:
@@ -65,7 +64,7 @@ def _readings(loaded: LoadedPaper, ids: Collection[str]) -> Iterator[Fault]:
         if read and claim.id not in ids:
             message = f"expected a reading of this {claim.kind}, found none"
             cure = f"add `{claim.id}` with its reason to {_folder(loaded)}/readings.yaml"
-            yield _fault(loaded, claim.id, message, cure)
+            yield loaded.fault(claim.id, message, cure)
 
 
 def _looked_for(loaded: LoadedPaper, read: Collection[str]) -> Iterator[Fault]:
@@ -79,18 +78,18 @@ def _looked_for(loaded: LoadedPaper, read: Collection[str]) -> Iterator[Fault]:
                 message = f"expected `about` to be a declared symbol, found {shorten(claim.about)}"
                 latex = [symbol.latex for symbol in loaded.symbols.values()]
                 cure = nearest(claim.about, latex, "declare it under `symbols`")
-                yield _fault(loaded, claim.id, message, cure)
+                yield loaded.fault(claim.id, message, cure)
 
 
 def _without_claim(loaded: LoadedPaper, ids: Collection[str], kind: str) -> Iterator[Fault]:
     known = set(loaded.positions) | loaded.broken
-    wholes = {_whole(claim) for claim in known}
+    wholes = {base(claim) for claim in known}
     for item in ids:
-        if item not in known | wholes and _whole(item) not in known:
+        if item not in known | wholes and base(item) not in known:
             message = f"expected a claim for the {kind} `{item}`, found none"
             code = _code(loaded) if kind == "derivation" else f"{_folder(loaded)}/readings.yaml"
             cure = nearest(item, known | wholes, f"add the claim, or remove it from {code}")
-            yield _fault(loaded, "", message, cure)
+            yield loaded.start.fault("", message, cure)
 
 
 def _quantities(loaded: LoadedPaper, given: Collection[str]) -> Iterator[Fault]:
@@ -100,25 +99,13 @@ def _quantities(loaded: LoadedPaper, given: Collection[str]) -> Iterator[Fault]:
     for name in bare:
         message = f"expected a meaning of the quantity `{name}`, found none"
         add = f'add a function with `@REGISTRY.quantity("{name}")` to {_code(loaded)}'
-        yield _symbol_fault(loaded, name, "name", message, nearest(name, free, add))
+        yield loaded.symbol_fault(name, "name", message, nearest(name, free, add))
     for name in free - loaded.broken:
         message = f"expected a symbol with `role: quantity` for the meaning `{name}`, found none"
         if name in roles:
-            yield _symbol_fault(loaded, name, "role", message, "write `role: quantity`")
+            yield loaded.symbol_fault(name, "role", message, "write `role: quantity`")
         elif not nearest(name, bare):  # else it is a slip in that name, which is told
-            yield _fault(loaded, "", message, "declare it under `symbols`")
-
-
-def _symbol_fault(loaded: LoadedPaper, name: str, key: str, message: str, cure: str) -> Fault:
-    place = loaded.declared_at[name, key]
-    return Fault(place.file, place.line, place.column, f"symbols[{name}].{key}", message, cure)
-
-
-def _fault(loaded: LoadedPaper, claim: str, message: str, cure: str) -> Fault:
-    file = Position(display_name(loaded.folder / FILE), 1, 1)
-    place = loaded.positions.get(claim, file)
-    path = f"claims[{claim}]" if claim else ""
-    return Fault(place.file, place.line, place.column, path, message, cure)
+            yield loaded.start.fault("", message, "declare it under `symbols`")
 
 
 def _folder(loaded: LoadedPaper) -> str:
@@ -127,7 +114,3 @@ def _folder(loaded: LoadedPaper) -> str:
 
 def _code(loaded: LoadedPaper) -> str:
     return f"{_folder(loaded)}/derivations.py"
-
-
-def _whole(claim: str) -> str:
-    return claim.partition("[")[0]

@@ -7,14 +7,13 @@ writer probably meant, is added here.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
-from difflib import get_close_matches
+from collections.abc import Callable
 from typing import Any, TypeAlias
 
 from pydantic import BaseModel
 
 from omniproof.transcription import model
-from omniproof.transcription.faults import Fault, shorten
+from omniproof.transcription.faults import Fault, nearest, shorten
 from omniproof.transcription.paperfile import Document, Path_, Tree
 
 Said: TypeAlias = tuple[str, str]
@@ -44,12 +43,6 @@ TYPES = {
     "int_parsing_size": "a whole number of fewer digits",
     "string_too_short": "text", "too_short": "at least one entry",
 }  # fmt: skip
-
-
-def nearest(word: str, known: Iterable[str], otherwise: str = "") -> str:
-    """The cure "did you mean …?" for a word that is almost a known one."""
-    near = get_close_matches(word[:80], list(known), n=1)
-    return f"did you mean `{near[0]}`?" if near else otherwise
 
 
 def show_value(value: object) -> str:

@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from io import StringIO
 from pathlib import Path
 
-from omniproof.transcription.faults import BadInput, Fault, shorten
+from omniproof.transcription.faults import BadInput, Fault, nearest, shorten
 from omniproof.transcription.files import display_name, read_text
-from omniproof.transcription.messages import nearest
 from omniproof.transcription.model import Claim, Kind, Table
 
 INDEX = re.compile(r"[A-Za-z0-9_]+")

@@ -15,9 +15,8 @@ from hashlib import sha256
 from pathlib import Path
 
 from omniproof.transcription.faults import Fault, shorten
-from omniproof.transcription.files import display_name
 from omniproof.transcription.glyphs import misread
-from omniproof.transcription.loader import FILE, LoadedPaper
+from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Kind, Reading
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -86,24 +85,20 @@ def missing(loaded: LoadedPaper, source: str) -> list[Fault]:
     folded = FoldedText.of(source)
     faults = []
     if sha256(source.encode()).hexdigest() != loaded.paper.edition.sha256:
-        file = display_name(loaded.folder / FILE)
         message = "expected the source text with this sha256, found another text"
-        faults.append(Fault(file, 1, 1, "edition.sha256", message, "audit the text that is named"))
+        cure = "audit the text that is named"
+        faults.append(loaded.start.fault("edition.sha256", message, cure))
     for claim in loaded.claims:
         for key, message, cure in _misplaced(claim, folded):
-            place = loaded.positions[claim.id]
-            path = f"claims[{claim.id}].{key}"
-            faults.append(Fault(place.file, place.line, place.column, path, message, cure))
+            faults.append(loaded.fault(claim.id, message, cure, key))
     return sorted([*faults, *_misread(loaded)])
 
 
 def _misread(loaded: LoadedPaper) -> Iterator[Fault]:
     for claim, difference in misread(loaded.claims, loaded.paper.notation.glyphs):
-        place = loaded.positions[claim.id]
         message = f"expected the glyphs of the source, found them {difference}"
         cure = "decode it by `notation.glyphs`, and name what is `lost`"
-        path = f"claims[{claim.id}].glyphs"
-        yield Fault(place.file, place.line, place.column, path, message, cure)
+        yield loaded.fault(claim.id, message, cure, "glyphs")
 
 
 def _misplaced(claim: Claim, folded: FoldedText) -> Iterator[tuple[str, str, str]]:

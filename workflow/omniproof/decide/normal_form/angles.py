@@ -14,39 +14,25 @@ s s = (1 - c)(1 + c)), which is what taking square roots and absolute values nee
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction as Rational
 from functools import reduce
 from typing import TypeAlias
 
-from omniproof.decide.errors import UnsupportedError, WorkLimitError
 from omniproof.decide.normal_form.constant_field import ConstantField
 from omniproof.decide.normal_form.quotient_ring import Polynomial, QuotientRing
-from omniproof.formula.monomials import Monomial, OutsideError, expand
-from omniproof.formula.term import PI, Number, Term
+from omniproof.formula.angle import Angle, angle_of
+from omniproof.formula.errors import WorkLimitError
+from omniproof.formula.monomials import Monomial
+from omniproof.formula.term import Number, Term
 
 LARGEST_MULTIPLE = 120
 
-CIRCULAR = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
-PI_ITSELF: Monomial = frozenset({(PI, 1)})
 ONE_ITSELF: Monomial = frozenset()
-
-
-@dataclass(frozen=True)
-class Angle:
-    """Sum of rational multiples of atoms, plus `turns` times pi."""
-
-    multiples: Mapping[Monomial, Rational]
-    turns: Rational
 
 
 def read_angle(argument: Term) -> Angle:
     """Split the argument of a trigonometric function into atoms and a multiple of pi."""
-    try:
-        multiples = expand(argument)
-    except OutsideError as reason:
-        raise UnsupportedError(str(reason)) from None
-    turns = multiples.pop(PI_ITSELF, Rational(0))
+    multiples, turns = angle_of(argument)
     size = multiples.get(ONE_ITSELF, Rational(0))
     if abs(size.numerator) > LARGEST_MULTIPLE:  # an angle of its own, not so many times another
         multiples[frozenset({(Number(size), 1)})] = Rational(1)

@@ -16,8 +16,8 @@ from math import lcm
 from flint import arb, fmpz, fmpz_poly
 
 from omniproof.decide.balls import Ball
-from omniproof.decide.errors import WorkLimitError
 from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial, QuotientRing
+from omniproof.formula.errors import WorkLimitError
 
 LARGEST_ORDER = 1_440
 SMOOTH_BITS = 17

@@ -8,12 +8,13 @@ from fractions import Fraction as Rational
 from flint import ctx
 
 from omniproof.decide.balls import Ball, enclose, sign_of
-from omniproof.decide.errors import UnsupportedError
-from omniproof.decide.normal_form.angles import CIRCULAR, CircleChart
+from omniproof.decide.normal_form.angles import CircleChart
 from omniproof.decide.normal_form.constant_field import ConstantField, generator_names
 from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial, QuotientRing
 from omniproof.decide.normal_form.separation import Constants
 from omniproof.decide.normal_form.survey import SIGNED, Survey
+from omniproof.formula.angle import CIRCULAR, circular
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.term import Call, Number, Power, Product, Sum, Term, rational, symbols
 
 
@@ -110,15 +111,7 @@ class Converter:
 
     def _trigonometric(self, term: Call) -> Fraction:
         cosine, sine, common = self.chart.cosine_sine(self.found.angles[term.arguments[0]])
-        pairs = {
-            "cos": (cosine, common),
-            "sin": (sine, common),
-            "tan": (sine, cosine),
-            "cot": (cosine, sine),
-            "sec": (common, cosine),
-            "csc": (common, sine),
-        }
-        numerator, denominator = pairs[term.function]
+        numerator, denominator = circular(term.function, common, cosine, sine)
         if denominator == 0:
             raise UnsupportedError("a denominator is identically zero")
         return Fraction(self.ring.reduce(numerator), self.ring.reduce(denominator))

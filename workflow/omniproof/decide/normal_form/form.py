@@ -13,7 +13,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product
 
-from omniproof.decide.errors import UnsupportedError, WorkLimitError
 from omniproof.decide.normal_form.angles import CircleChart, TangentChart
 from omniproof.decide.normal_form.conversion import Converter
 from omniproof.decide.normal_form.inverse import without_inverse_functions
@@ -22,6 +21,7 @@ from omniproof.decide.normal_form.radicals import Basis
 from omniproof.decide.normal_form.separation import Constants
 from omniproof.decide.normal_form.survey import survey
 from omniproof.decide.normal_form.tower import build, constants_of
+from omniproof.formula.errors import UnsupportedError, WorkLimitError
 from omniproof.formula.term import ZERO, Term
 
 MOST_SIGNS = 10

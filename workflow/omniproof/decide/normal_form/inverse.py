@@ -7,11 +7,11 @@ that nothing is lost but where that is, which the print tells.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
 
-from omniproof.decide.normal_form.angles import CIRCULAR
-from omniproof.formula.monomials import Monomial, OutsideError, expand
+from omniproof.formula.angle import CIRCULAR, Point, circular, inverse_function
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.monomials import Monomial, expand
 from omniproof.formula.term import (
     ONE,
     ZERO,
@@ -26,15 +26,11 @@ from omniproof.formula.term import (
     multiply,
     negative,
     rebuild,
-    root,
     subtract,
 )
 
 MOST_TURNS = 6
 """Multiples of one inverse function: each turn doubles the length of what is written."""
-
-Point = tuple[Term, Term]
-"""Cosine and sine of an angle."""
 
 
 def without_inverse_functions(term: Term) -> Term:
@@ -51,7 +47,7 @@ def without_inverse_functions(term: Term) -> Term:
                     return Power(size, exponent // 2)
             case Call(function=function, arguments=(argument,)) if function in CIRCULAR:
                 point = _point(without_inverse_functions(argument))
-                return None if point is None else _OF_POINT[function](*point)
+                return None if point is None else divide(*circular(function, ONE, *point))
         return None
 
     return rebuild(term, change)
@@ -61,31 +57,19 @@ def _point(angle: Term) -> Point | None:
     """Return cosine and sine of an angle with inverse functions in it; None for any other."""
     try:
         multiples = expand(angle)
-    except OutsideError:
+    except UnsupportedError:
         return None
-    turned = {atom: factor for atom, factor in multiples.items() if _inverse(atom)}
+    points = {atom: known for atom in multiples if (known := inverse_function(atom))}
+    turned = {atom: multiples.pop(atom) for atom in points}
     if not turned or any(f.denominator != 1 or abs(f) > MOST_TURNS for f in turned.values()):
         return None
-    rest = _sum({atom: factor for atom, factor in multiples.items() if atom not in turned})
+    rest = _sum(multiples)
     point: Point = (ONE, ZERO) if rest is None else (Call("cos", (rest,)), Call("sin", (rest,)))
     for atom, factor in turned.items():
-        cosine, sine = _known_point(atom)
+        cosine, sine = points[atom]
         for _ in range(abs(int(factor))):
             point = _turn(point, (cosine, sine if factor > 0 else negative(sine)))
     return point
-
-
-def _inverse(atom: Monomial) -> bool:
-    match tuple(atom):
-        case ((Call(function=function), 1),):
-            return function in _POINTS
-    return False
-
-
-def _known_point(atom: Monomial) -> Point:
-    ((call, _),) = atom
-    assert isinstance(call, Call)
-    return _POINTS[call.function](*call.arguments)
 
 
 def _sum(multiples: dict[Monomial, Fraction]) -> Term | None:
@@ -100,33 +84,3 @@ def _turn(one: Point, other: Point) -> Point:
     """Add two angles."""
     (c, s), (d, t) = one, other
     return subtract(multiply(c, d), multiply(s, t)), Sum((multiply(c, t), multiply(s, d)))
-
-
-def _complement(x: Term) -> Term:
-    return root(subtract(ONE, Power(x, 2)))
-
-
-def _of_tangent(x: Term) -> Point:
-    length = root(Sum((ONE, Power(x, 2))))
-    return divide(ONE, length), divide(x, length)
-
-
-def _of_point(y: Term, x: Term) -> Point:
-    length = root(Sum((Power(x, 2), Power(y, 2))))
-    return divide(x, length), divide(y, length)
-
-
-_POINTS: dict[str, Callable[..., Point]] = {
-    "arcsin": lambda x: (_complement(x), x),
-    "arccos": lambda x: (x, _complement(x)),
-    "arctan": _of_tangent,
-    "atan2": _of_point,
-}
-_OF_POINT: dict[str, Callable[[Term, Term], Term]] = {
-    "cos": lambda c, s: c,
-    "sin": lambda c, s: s,
-    "tan": lambda c, s: divide(s, c),
-    "cot": divide,
-    "sec": lambda c, s: Power(c, -1),
-    "csc": lambda c, s: Power(s, -1),
-}

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
-from omniproof.decide.errors import UnsupportedError, WorkLimitError
+from omniproof.formula.errors import UnsupportedError, WorkLimitError
 
 Polynomial: TypeAlias = Any
 """An `fmpq_mpoly` (python-flint publishes no types)."""

@@ -25,9 +25,9 @@ from typing import Any
 
 from flint import fmpq
 
-from omniproof.decide.errors import UnsupportedError, WorkLimitError
 from omniproof.decide.normal_form.constant_field import square_free_part
 from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial, QuotientRing
+from omniproof.formula.errors import UnsupportedError, WorkLimitError
 
 MOST_FACTORS = 24
 MOST_CONJUGATES = 3  # an element over two roots has three others

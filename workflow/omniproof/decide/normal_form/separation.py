@@ -16,8 +16,8 @@ from dataclasses import dataclass
 from flint import arb, ctx, fmpq
 
 from omniproof.decide.balls import Ball
-from omniproof.decide.errors import UnsupportedError, WorkLimitError
 from omniproof.decide.normal_form.quotient_ring import Polynomial, QuotientRing
+from omniproof.formula.errors import UnsupportedError, WorkLimitError
 
 PRECISIONS = (128, 1_024, 8_192)
 MOST_ROOTS = 7

@@ -12,9 +12,10 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from math import lcm
 
-from omniproof.decide.errors import WorkLimitError
-from omniproof.decide.normal_form.angles import CIRCULAR, Angle, read_angle
+from omniproof.decide.normal_form.angles import read_angle
 from omniproof.decide.normal_form.constant_field import field_order, square_free_part
+from omniproof.formula.angle import CIRCULAR, Angle, is_independent
+from omniproof.formula.errors import WorkLimitError
 from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import (
     Call,
@@ -58,13 +59,7 @@ class Survey:
         1971); x, sin x and sin |x| are not, nor are x and x**(1/3).
         """
         plain = all(isinstance(term, Symbol | Pi) for term in self.symbols)
-        return plain and all(_is_monomial(atom) for atom in self.denominators)
-
-
-def _is_monomial(atom: Monomial) -> bool:
-    """Whether an angle is a product of integer powers of symbols, perhaps times pi."""
-    bases = [base for base, _ in atom if not isinstance(base, Pi)]
-    return bool(bases) and all(isinstance(base, Symbol) for base in bases)
+        return plain and all(map(is_independent, self.denominators))
 
 
 def survey(terms: Iterable[Term], positive: frozenset[str] = frozenset()) -> Survey:

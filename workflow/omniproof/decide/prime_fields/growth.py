@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from functools import reduce
 from typing import NamedTuple
 
-from omniproof.decide.prime_fields.parts import CIRCULAR, Parts
+from omniproof.decide.prime_fields.parts import Parts
+from omniproof.formula.angle import CIRCULAR
 from omniproof.formula.term import Call, Number, Power, Product, Sum, Term
 
 

@@ -8,16 +8,16 @@ u + i sqrt(1 - u^2).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
-from typing import NamedTuple
 
 from omniproof.decide.prime_fields.field import prime_factors
-from omniproof.formula.monomials import Monomial, OutsideError, expand
+from omniproof.formula.angle import CIRCULAR, Angle, angle_of, inverse_function, is_independent
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import (
-    ONE,
     PI,
     Call,
     Number,
@@ -27,25 +27,14 @@ from omniproof.formula.term import (
     Sum,
     Symbol,
     Term,
-    divide,
     negative,
     rational,
-    root,
-    subtract,
     walk,
 )
 
-CIRCULAR = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
-SIGNED = frozenset({"sqrt", "abs"})
+NONNEGATIVE = frozenset({"sqrt", "abs"})
 """Functions of which a field knows the square, and no sign."""
 LARGEST_ORDER, LARGEST_RADICAND, LARGEST_PRIME = 10**6, 10**9, 1_000
-
-
-class Angle(NamedTuple):
-    """Sum of rational multiples of atoms, plus `turns` times pi."""
-
-    multiples: dict[Monomial, Fraction]
-    turns: Fraction
 
 
 @dataclass
@@ -65,11 +54,11 @@ class Parts:
     order: int = 4
 
     def note(self, terms: Iterable[Term]) -> None:
-        """Collect the parts of terms; raises `OutsideError` for what has no place in a field."""
+        """Collect the parts of terms; raises `UnsupportedError` for what no field has."""
         for term in terms:
             self._visit(term)
         if self.order > LARGEST_ORDER:
-            raise OutsideError(f"a root of unity of order {self.order} is needed")
+            raise UnsupportedError(f"a root of unity of order {self.order} is needed")
 
     def _visit(self, term: Term) -> None:
         if term in self.inside:
@@ -83,7 +72,7 @@ class Parts:
                 self._angle(argument)
             case Call(function="sign", arguments=(argument,)):
                 self._visit(Call("abs", (argument,)))
-            case Call(function=function) if function in SIGNED:
+            case Call(function=function) if function in NONNEGATIVE:
                 self._root(term)
             case _:
                 self.letters[term] = None
@@ -101,9 +90,7 @@ class Parts:
         self.roots[term] = None
 
     def _angle(self, argument: Term) -> None:
-        multiples = expand(argument)
-        turns = multiples.pop(frozenset({(PI, 1)}), Fraction(0))
-        self.angles[argument] = Angle(multiples, turns)
+        multiples, turns = self.angles[argument] = angle_of(argument)
         self.order = lcm(self.order, 2 * turns.denominator)
         for atom, ratio in multiples.items():
             self.denominators[atom] = lcm(self.denominators.get(atom, 1), ratio.denominator)
@@ -120,51 +107,14 @@ class Parts:
             self.note(turned)
 
 
-def is_independent(atom: Monomial) -> bool:
-    """Whether an atom is a product of powers of symbols and pi, with a symbol in it."""
-    bases = [base for base, _ in atom]
-    plain = all(isinstance(base, Symbol | Pi) for base in bases)
-    return plain and any(isinstance(base, Symbol) for base in bases)
-
-
-def inverse_function(atom: Monomial) -> tuple[Term, Term] | None:
-    """Return cosine and sine of an atom that is an inverse function; None for any other atom."""
-    match tuple(atom):
-        case ((Call(function=function, arguments=arguments), 1),) if function in _INVERSE:
-            return _INVERSE[function](*arguments)
-    return None
-
-
-def _complement(x: Term) -> Term:
-    return root(subtract(ONE, Power(x, 2)))
-
-
-def _of_tangent(x: Term) -> tuple[Term, Term]:
-    length = root(Sum((ONE, Power(x, 2))))
-    return divide(ONE, length), divide(x, length)
-
-
-def _of_point(y: Term, x: Term) -> tuple[Term, Term]:
-    length = root(Sum((Power(x, 2), Power(y, 2))))
-    return divide(x, length), divide(y, length)
-
-
-_INVERSE: dict[str, Callable[..., tuple[Term, Term]]] = {
-    "arcsin": lambda x: (_complement(x), x),
-    "arccos": lambda x: (x, _complement(x)),
-    "arctan": _of_tangent,
-    "atan2": _of_point,
-}
-
-
 def radicand_primes(number: Fraction) -> dict[int, int]:
-    """Factor a rational number that is not negative, prime -> exponent; raises `OutsideError`."""
+    """Factor a rational number, prime -> exponent; raises `UnsupportedError` below 0."""
     if number < 0 or number.numerator * number.denominator > LARGEST_RADICAND:
-        raise OutsideError(f"the square root of {number} is outside of what is tested")
+        raise UnsupportedError(f"the square root of {number} is outside of what is tested")
     primes = prime_factors(number.numerator) if number else {}
     primes |= {prime: -count for prime, count in prime_factors(number.denominator).items()}
     if any(prime > LARGEST_PRIME for prime in primes):
-        raise OutsideError(f"the square root of {number} is outside of what is tested")
+        raise UnsupportedError(f"the square root of {number} is outside of what is tested")
     return primes
 
 
@@ -179,7 +129,7 @@ def is_plainly_positive(term: Term, positive: Collection[str]) -> bool:
         case Symbol(name=name):
             plain = name in positive
         case Call(function=function):
-            plain = function in SIGNED or sign_of_constant(term) == 1
+            plain = function in NONNEGATIVE or sign_of_constant(term) == 1
         case Power(base=base, exponent=exponent):
             plain = exponent % 2 == 0 or is_plainly_positive(base, positive)
         case Sum() | Product():
@@ -193,8 +143,7 @@ def sign_of_constant(term: Term) -> int:
     """Return the sign of the sine or cosine of a rational multiple of pi; 0 if it has none."""
     if not (isinstance(term, Call) and term.function in {"sin", "cos"}):
         return 0
-    multiples = expand(term.parts[0])
-    turns = multiples.pop(frozenset({(PI, 1)}), Fraction(0))
+    multiples, turns = angle_of(term.parts[0])
     turns += Fraction(1, 2) if term.function == "cos" else 0
     if multiples or turns.denominator == 1:
         return 0

@@ -10,7 +10,8 @@ from random import Random
 from typing import Any
 
 from omniproof.decide.prime_fields.field import PrimeField, prime_field
-from omniproof.decide.prime_fields.parts import CIRCULAR, Parts, radicand_primes
+from omniproof.decide.prime_fields.parts import Parts, radicand_primes
+from omniproof.formula.angle import CIRCULAR, circular
 from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import Call, Number, Power, Product, Sum, Symbol, Term, rational
 
@@ -89,14 +90,7 @@ class Place:
         z = self._turned(argument)
         back = self.field.inverse(z)
         twice_cosine, twice_sine = z + back, (z - back) * self.field.unit(-1, 2)
-        above, below = {
-            "cos": (twice_cosine, 2),
-            "sin": (twice_sine, 2),
-            "tan": (twice_sine, twice_cosine),
-            "cot": (twice_cosine, twice_sine),
-            "sec": (2, twice_cosine),
-            "csc": (2, twice_sine),
-        }[function]
+        above, below = circular(function, 2, twice_cosine, twice_sine)
         return above * self.field.inverse(below)
 
     def _turned(self, argument: Term) -> int:

@@ -29,7 +29,7 @@ from omniproof.decide.prime_fields.parts import (
     signed_terms,
 )
 from omniproof.decide.prime_fields.place import NoRootError, Place
-from omniproof.formula.monomials import OutsideError
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.term import Call, Power, Sum, Symbol, Term, add, symbols
 
 WANTED = 1e-30
@@ -79,7 +79,7 @@ def vanishes(
     """
     try:
         return _Test(term, nonnegative, positive).answer()
-    except OutsideError as reason:
+    except UnsupportedError as reason:
         return Unsupported(str(reason))
     except RecursionError:
         return Unsupported("the formula is nested too deeply")
@@ -93,7 +93,7 @@ class _Test:
         self.same = self._spellings()
         self.roots = list(dict.fromkeys(self.same.values()))
         if len(self.roots) > MOST_ROOTS:
-            raise OutsideError(f"it has more than {MOST_ROOTS} roots and absolute values")
+            raise UnsupportedError(f"it has more than {MOST_ROOTS} roots and absolute values")
         self.elements = self._elements(nonnegative) if self.roots else []
         self.patterns = list(product((1, -1), repeat=len(self.roots)))
 
@@ -109,7 +109,9 @@ class _Test:
             bound *= self.bound
             if bound < WANTED:
                 return Zero(bound)
-        raise OutsideError(f"fewer than the wanted number of {ATTEMPTS} points were fit for a test")
+        raise UnsupportedError(
+            f"fewer than the wanted number of {ATTEMPTS} points were fit for a test"
+        )
 
     def _spellings(self) -> dict[Call, Call]:
         """Return for each root the first one that has its value: they are one number.
@@ -169,7 +171,7 @@ class _Test:
             return [value for value, _ in values]
         possible = [value for value, elements in values if not _contradicts(place, elements)]
         if not possible:
-            raise OutsideError("no signs of its roots are possible: it is nowhere defined")
+            raise UnsupportedError("no signs of its roots are possible: it is nowhere defined")
         return possible
 
     def _at(self, place: Place, signs: tuple[int, ...]) -> tuple[int, list[int]]:
@@ -214,7 +216,7 @@ class _Test:
         each = len(self.patterns) * (degree + bits * self.parts.order**2)
         bound = ATTEMPTS * (1 + ratios) * each / 2.0 ** (BITS - 1)
         if bound >= WANTED ** (1 / 8):
-            raise OutsideError("its degree is too large for a useful bound")
+            raise UnsupportedError("its degree is too large for a useful bound")
         return float(bound)
 
 

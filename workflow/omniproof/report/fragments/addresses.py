@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from omniproof.audit.ledger import Ledger
-from omniproof.report.anchors import anchor, base, selects, unique_anchors
+from omniproof.report.anchors import anchor, selects, unique_anchors
+from omniproof.transcription.ids import base
 
 
 class Addresses:

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from html import escape
 
 from omniproof.audit.ledger import Ledger, Row, Verdict
-from omniproof.report.anchors import base
 from omniproof.report.fragments.base import Href, badge, link, table
 from omniproof.report.latexfmt import cell
+from omniproof.transcription.ids import base
 
 UNSTATED = (Verdict.CONDITIONAL, Verdict.MODEL_GAP)
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, Row, Verdict, read_json
-from omniproof.report.anchors import anchor, base, selects
+from omniproof.report.anchors import anchor, selects
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.base import (
@@ -29,6 +29,7 @@ from omniproof.report.fragments.tables import Labels, beside_html, grid_html, li
 from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_markdown
 from omniproof.report.fragments.values import Value
 from omniproof.report.latexfmt import cell
+from omniproof.transcription.ids import base
 
 
 class Chapter:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from html import escape
 
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
-from omniproof.report.anchors import anchor, base, index
+from omniproof.report.anchors import anchor
 from omniproof.report.changes import Changes, changes
 from omniproof.report.code_pages import code_link
 from omniproof.report.derived import Derived
@@ -22,6 +22,7 @@ from omniproof.report.fragments.base import (
     worst,
 )
 from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math, same
+from omniproof.transcription.ids import base, index
 from omniproof.transcription.model import Kind, Reading, Source
 
 _UNALIGNED = re.compile(r"&(?==)")

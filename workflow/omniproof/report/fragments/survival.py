@@ -8,7 +8,6 @@ from html import escape
 
 from omniproof.audit.ledger import Ledger, Row
 from omniproof.corrected import FUNCTIONS
-from omniproof.report.anchors import base
 from omniproof.report.changes import changes
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.base import Href, badge, link, table, worst
@@ -24,6 +23,7 @@ from omniproof.report.survival import (
     replaced,
     tally,
 )
+from omniproof.transcription.ids import base
 from omniproof.transcription.model import Source
 
 WORDS = {

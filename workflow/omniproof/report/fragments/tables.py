@@ -6,12 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 
 from omniproof.audit.ledger import Row, Verdict
-from omniproof.report.anchors import anchor, index
+from omniproof.report.anchors import anchor
 from omniproof.report.changes import changes
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.base import Href, badge, interval_html, link, note_html, table
 from omniproof.report.fragments.claims import facts_html, row_html
 from omniproof.report.latexfmt import cell, inline
+from omniproof.transcription.ids import index
 
 Labels = Mapping[str, str]
 

@@ -1,4 +1,4 @@
-"""What an engine says when it is asked for what it cannot do."""
+"""What is said where a formula asks for what cannot be done."""
 
 from __future__ import annotations
 
