@@ -72,15 +72,15 @@ class Place(dict[Any, Any]):
 
 
 Side: TypeAlias = Callable[[Place], Value]
+Sides: TypeAlias = tuple[Side, str, Side]
+"""Two sides to evaluate at a point, and the sign between them."""
 
 
 @dataclass(frozen=True)
 class Statement:
-    """Two sides to evaluate at a point, and the sign between them; `digits` are what they take."""
+    """Links that hold together, wherever all their sides have values; `digits` they take."""
 
-    left: Side
-    operator: str
-    right: Side
+    links: tuple[Sides, ...]
     digits: int = DIGITS
 
     def holds(self, place: Place, expected: bool) -> bool:
@@ -97,21 +97,32 @@ class Statement:
             return self._holds(place)
 
     def _holds(self, place: Place) -> bool:
-        left, right = self.left(place), self.right(place)
-        if are_equal(left, right):
-            return self.operator in {"=", "\\leq", "\\geq"}
-        if self.operator in {"<", "\\leq"}:
-            return bool(left < right)
-        return bool(left > right) if self.operator in {">", "\\geq"} else self.operator == "\\neq"
+        found = [_stands(link, place) for link in self.links]  # so that each has to have values
+        return all(found)
 
-    def shown(self, place: Place) -> tuple[str, str]:
-        """Write both values, in as many digits as tell them apart."""
+    def shown(self, place: Place) -> tuple[str, str, str]:
+        """Write both values of the first link that fails, or of the first, and the sign between.
+
+        They have as many digits as tell them apart.
+        """
         with mp.workdps(self.digits):
-            values = self.left(place), self.right(place)
+            failing = (link for link in self.links if not _stands(link, place))
+            left, operator, right = next(failing, self.links[0])
+            values = left(place), right(place)
             pairs = ([_written(each, digits) for each in values] for digits in (4, 8, 16, 32))
             first, *others = pairs
-            left, right = next((pair for pair in (first, *others) if pair[0] != pair[1]), first)
-            return left, right
+            one, other = next((pair for pair in (first, *others) if pair[0] != pair[1]), first)
+            return one, operator, other
+
+
+def _stands(link: Sides, place: Place) -> bool:
+    """Whether two values are in order; equal are those that are not told apart."""
+    left, right = link[0](place), link[2](place)
+    if are_equal(left, right):
+        return link[1] in {"=", "\\leq", "\\geq"}
+    if link[1] in {"<", "\\leq"}:
+        return bool(left < right)
+    return bool(left > right) if link[1] in {">", "\\geq"} else link[1] == "\\neq"
 
 
 def heard(answer: Answer, statement: Statement, places: Callable[[], Iterable[Place]]) -> Answer:
@@ -179,7 +190,7 @@ def _with_another_witness(
         try:
             if not statement.holds(place, expected=False):
                 point = {symbol.name: str(x) for symbol, x in place.items()}
-                witness = Witness(point, *statement.shown(place))
+                witness = Witness(point, *statement.shown(place)[::2])
                 return replace(answer, witness=witness)
             reason = "it was found to fail only where a printed part is not defined"
         except NotEvaluatedError:
@@ -190,11 +201,11 @@ def _with_another_witness(
 
 
 def _contradiction(answer: Answer, statement: Statement, place: Place) -> DisagreementError:
-    left, right = statement.shown(place)
+    left, operator, right = statement.shown(place)
     at = ", ".join(f"{symbol} = {x}" for symbol, x in place.items())
     where = f" at {at}" if at else ""
     engines = "+".join(answer.engines)
-    told = f"left {statement.operator} right with left = {left}, right = {right}"
+    told = f"left {operator} right with left = {left}, right = {right}"
     return DisagreementError(f"direct evaluation contradicts {engines} on {told}{where}: {answer}")
 
 
@@ -235,6 +246,11 @@ def places(symbols: Iterable[Any], domain: Domain) -> Iterator[Place]:
         yield Place({s: sp.Rational(int(x.p), int(x.q)) for s, x in sample.items()})
 
 
+def known_side(known: Any) -> Side:
+    """Return what evaluates a SymPy expression or matrix at a place."""
+    return lambda place: place.value(known)
+
+
 def printed_side(node: tree.Node, known: Callable[[tree.Symbolic], Any]) -> Side:
     """Return what evaluates a printed side at a place, at each once.
 
@@ -268,7 +284,7 @@ def heard_on(answer: Answer, part: Link, setting: Setting) -> Answer:
     """Ask direct evaluation about an answer on a link of a printed statement."""
     known = partial(evaluate, meanings=setting.meanings)
     left, right = (entry_of(printed_side(side, known), part.index) for side in part.printed)
-    statement = Statement(left, part.operator, right, max(map(_digits_of, part.printed)))
+    statement = Statement(((left, part.operator, right),), max(map(_digits_of, part.printed)))
     return heard(answer, statement, lambda: places(setting.meanings.values(), setting.domain))
 
 

@@ -12,7 +12,15 @@ from sympy import Integral
 from omniproof.audit.answer import Answer
 from omniproof.audit.context import Context
 from omniproof.audit.digits import DIGITS
-from omniproof.audit.direct import Place, Statement, entry_of, heard, places, printed_side
+from omniproof.audit.direct import (
+    Place,
+    Statement,
+    entry_of,
+    heard,
+    known_side,
+    places,
+    printed_side,
+)
 from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.tree import Node
 
@@ -39,7 +47,7 @@ class Voice:
         side = entry_of(self.side(printed), (row - 1, column - 1))
         symbols = self._symbols(printed).union(derived.free_symbols)
         most, digits = IN_INTEGRALS if derived.has(Integral) else (MOST_PLACES, DIGITS)
-        statement = Statement(side, "=", lambda place: place.value(derived), digits)
+        statement = Statement(((side, "=", known_side(derived)),), digits)
         return heard(answer, statement, lambda: islice(self._places(symbols), most))
 
     def _symbols(self, printed: Node) -> frozenset[Any]:
