@@ -41,6 +41,8 @@ from omniproof.transcription import tree
 
 POINTS = 3
 """A false statement that an engine proves is hardly true at three points by chance."""
+IN_ORDER = 12
+"""A false order holds in regions, and fails in others."""
 TRIES, ALLOWED = 60, 12
 """So many points are looked at for them: arcsin x arcsin y is defined at one of nine. Where the
 domain has conditions, most of its points are."""
@@ -95,6 +97,11 @@ class Statement:
                 return expected
         with mp.workdps(FURTHER * self.digits):
             return self._holds(place)
+
+    @property
+    def points(self) -> int:
+        """How many points are looked at for one where it fails."""
+        return POINTS if all(sign == "=" for _, sign, _ in self.links) else IN_ORDER
 
     def _holds(self, place: Place) -> bool:
         found = [_stands(link, place) for link in self.links]  # so that each has to have values
@@ -157,7 +164,7 @@ def _where_it_should_hold(answer: Answer, statement: Statement, places: Iterable
         except UndefinedError:
             continue
         seen += 1
-        if seen == POINTS:
+        if seen == statement.points:
             break
     return answer if seen else Undecided(NOWHERE, answer.engines)
 
@@ -221,22 +228,35 @@ def exact_place(witness: Witness) -> dict[str, Any] | None:
 
 
 def _are_met(relations: Iterable[Any], place: Place) -> bool:
-    return all(_is_met(relation, place) for relation in relations)
-
-
-def _is_met(relation: Any, place: Place) -> bool:
-    """Whether a condition is certainly met; on its edge, a strict one and its opposite are not."""
-    if isinstance(relation, sp.And | sp.Or):
-        parts = (_is_met(part, place) for part in relation.args)
-        return all(parts) if isinstance(relation, sp.And) else any(parts)
-    if relation in (sp.true, sp.false):
-        return bool(relation)
     try:
-        left, right = (place.value(side) for side in relation.args)
+        return all(is_met(relation, place) for relation in relations)
     except UndefinedError:
         return False
-    greater = sp.Integer(left > right)  # compared with 1/2, it stands as left does to right
-    return not are_equal(left, right) and bool(relation.func(greater, sp.S.Half))
+
+
+def is_met(condition: Any, place: Place) -> bool:
+    """Whether a SymPy condition holds at a place; raises `UndefinedError` where a side has none."""
+    if isinstance(condition, sp.And | sp.Or):
+        parts = [is_met(part, place) for part in condition.args]
+        return all(parts) if isinstance(condition, sp.And) else any(parts)
+    if condition in (sp.true, sp.false):
+        return bool(condition)
+    left, right = map(known_side, condition.args)
+    return _stands((left, _SIGNS[condition.rel_op], right), place)
+
+
+_SIGNS = {"==": "=", "!=": "\\neq", "<=": "\\leq", ">=": "\\geq", "<": "<", ">": ">"}
+
+
+def is_true(node: tree.Node, side: Callable[[tree.Node], Side], place: Place) -> bool:
+    """Whether a printed condition holds at a place; `side` gives what evaluates its sides."""
+    match node:
+        case tree.Comparison():
+            return _stands((side(node.left), node.operator, side(node.right)), place)
+        case tree.Logic():
+            parts = [is_true(part, side, place) for part in node.operands]
+            return all(parts) if node.operator == "and" else any(parts)
+    raise NotEvaluatedError(f"{type(node).__name__} is no condition")
 
 
 def places(symbols: Iterable[Any], domain: Domain) -> Iterator[Place]:
