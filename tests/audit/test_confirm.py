@@ -15,7 +15,7 @@ from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.smt import Different, Equal, differ_somewhere
 from omniproof.audit.zero_test import DisagreementError, decide_equal
 from omniproof.decide import balls
-from omniproof.decide.prime_fields import place, zero
+from omniproof.decide.prime_fields import point, zero
 from omniproof.decide.prime_fields.field import PrimeField
 from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes
 from omniproof.formula.sympy_terms import positive_names, term_of
@@ -192,9 +192,9 @@ MODULAR = [
     ),
     pytest.param(PrimeField, "square_root", lambda _, v: v, "leg", id="root of a value"),
     pytest.param(PrimeField, "inverse", lambda _, v: v, "pythagoras", id="inverse"),
-    pytest.param(place.Place, "value", lambda *_: 0, "double-sine-factor", id="all is zero"),
-    pytest.param(place.Place, "_turned", lambda *_: 2, "sine-of-sum", id="one angle"),
-    pytest.param(place.Place, "_product", lambda *_: 1, "double-sine", id="products"),
+    pytest.param(point.RandomPoint, "value", lambda *_: 0, "double-sine-factor", id="all is zero"),
+    pytest.param(point.RandomPoint, "_turned", lambda *_: 2, "sine-of-sum", id="one angle"),
+    pytest.param(point.RandomPoint, "_product", lambda *_: 1, "double-sine", id="products"),
     pytest.param(zero, "_negative_ratios", other_ratios, "abs-product", id="signs that can be"),
 ]
 

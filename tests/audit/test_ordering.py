@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omniproof.audit.answer import Proved, Refuted, Undecided
-from omniproof.audit.ordering import all_equal, compare, extreme_members, is_extreme, monotone
+from omniproof.audit.ordering import compare, extreme_members, is_extreme, monotone
 from omniproof.formula.errors import UnsupportedError
 
 sqrt, pi = sp.sqrt, sp.pi
@@ -44,11 +44,6 @@ def test_monotone_sequences():
     assert isinstance(refuted, Refuted)
     assert refuted.witness.point == {"first": "2", "second": "3"}
     assert isinstance(monotone([sp.Integer(1), sp.Symbol("x")], 1), Undecided)
-
-
-def test_all_equal():
-    assert isinstance(all_equal([NESTED, sqrt(2) + sqrt(3), NESTED]), Proved)
-    assert isinstance(all_equal([NESTED, NESTED + sp.Rational(1, 10**40)]), Refuted)
 
 
 def test_extreme_members():

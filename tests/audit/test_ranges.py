@@ -10,7 +10,6 @@ from omniproof.audit.ranges import (
     Reading,
     add,
     contains,
-    includes,
     meet,
     root,
     scale,
@@ -60,19 +59,6 @@ def test_what_a_decimal_stands_for(printed, rounded, truncated, either):
 def test_common_part(left, right, common):
     wanted = piece(common) if common else None
     assert meet(piece(left), piece(right)) == meet(piece(right), piece(left)) == wanted
-
-
-@pytest.mark.parametrize(
-    ("outer", "inner", "answer"),
-    [
-        pytest.param("[0, 1]", "(0, 1]", True, id="open in closed"),
-        pytest.param("(0, 1]", "[0, 1]", False, id="closed in open"),
-        pytest.param("[0, 1]", "[1/2, 2]", False, id="overlap"),
-        pytest.param("[0, 1]", "[2, 3]", False, id="apart"),
-    ],
-)
-def test_inclusion(outer, inner, answer):
-    assert includes(piece(outer), piece(inner)) is answer
 
 
 def test_an_irrational_end_is_compared_exactly():

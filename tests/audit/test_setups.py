@@ -14,7 +14,6 @@ from omniproof.audit.ranges import POSITIVE, Reading, contains
 from omniproof.audit.setups import (
     Cell,
     check_setup,
-    combine,
     contradicting,
     read_as,
     readings_left,
@@ -193,30 +192,6 @@ def test_a_contradiction_of_three_cells_with_two_unknowns():
 def test_the_range_of_an_eliminated_unknown_counts():
     cells = [Cell("a", "3", x + y, TRUNCATED)]
     assert solve(cells, x, {y: POSITIVE}).pieces == (Piece(-sp.oo, Q(4)),)
-
-
-def test_unknowns_that_enter_in_one_combination():
-    combined = combine(straight(r), (V, r))
-    ((symbol, meaning),) = combined.meaning.items()
-    assert meaning == V / r
-    pieces = solve(combined.cells, symbol).pieces
-    both = in_full_speed("20.75", "18", (True, False))  # see test_a_table_of_straight_motion
-    assert pieces == (Piece(both.lower / RADIUS, both.upper * 2 / sqrt(3) / RADIUS, True),)
-
-
-@pytest.mark.parametrize(
-    ("values", "unknowns", "meanings"),
-    [
-        pytest.param([V + w], (V, w), [V, w], id="each for itself"),
-        pytest.param([V / r + w / r], (V, w, r), [V / r, w / r], id="two for three"),
-        pytest.param([V, V**2], (V,), None, id="dependent"),
-        pytest.param([sp.cos(V)], (V,), None, id="not a product of powers"),
-        pytest.param([sp.S.One], (V,), None, id="no unknown at all"),
-    ],
-)
-def test_combinations(values, unknowns, meanings):
-    combined = combine([Cell(str(v), "1", v) for v in values], unknowns)
-    assert (list(combined.meaning.values()) if combined else None) == meanings
 
 
 # Tables of a paper -----------------------------------------------------------------------------

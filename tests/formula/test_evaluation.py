@@ -32,7 +32,8 @@ from sympy import (
 )
 
 from omniproof.formula.evaluation import Function, evaluate
-from omniproof.transcription.reader import LatexError, read
+from omniproof.transcription.reader import read
+from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Applied, names
 
 a, b, c, x, theta = symbols("a b c x theta", real=True)
@@ -115,10 +116,10 @@ def test_the_printed_form_is_not_evaluated() -> None:
 
 FUNCTIONS = {
     **MEANINGS,
-    "g": Function(ImmutableMatrix([a, b]), (a,)),
-    "h": Function(a / b, (a, b)),
-    "k": Function(Integral(a**2, (a, 0, a)), (a,)),
-    "l": Function(Integral(a**2, (a, 0, b)), (a,)),
+    "g": Function(ImmutableMatrix([a, b]), ("a",)),
+    "h": Function(a / b, ("a", "b")),
+    "k": Function(Integral(a**2, (a, 0, a)), ("a",)),
+    "l": Function(Integral(a**2, (a, 0, b)), ("a",)),
     "turn": lambda times, angle: int(times) * angle,
 }
 

@@ -20,10 +20,12 @@ from omniproof.audit import agreement, run
 from omniproof.audit.context import Context
 from omniproof.audit.known_symbols import known_symbols
 from omniproof.transcription import checking, loader
+from omniproof.transcription.conventions import Names
 from omniproof.transcription.loader import FILE
 from omniproof.transcription.model import Notation
 from omniproof.transcription.paperfile import Document, load_document
-from omniproof.transcription.reader import LatexError, Names, read_with
+from omniproof.transcription.reader import read_with
+from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Node
 
 Read = Callable[[str, Notation, Names], Node]

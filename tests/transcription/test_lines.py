@@ -12,11 +12,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from sympy import Dummy, ImmutableMatrix, MatrixBase, Rational, Symbol, symbols
+from sympy import ImmutableMatrix, MatrixBase, Rational, Symbol, symbols
 
 from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.model import Notation
-from omniproof.transcription.reader import read, symbol_name
+from omniproof.transcription.reader import read
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Applied, walk
 from omniproof.transcription.verbatim import sources_folder
 
@@ -239,7 +240,7 @@ def shape(value: Any) -> Any:
 def test_omni_arrangement(text: str, expected: Any) -> None:
     tree = read(text, Notation(), DECLARED, ["D_V"])
     functions = {
-        node.name: Function(MEANINGS[node.name], tuple(Dummy() for _ in node.arguments))
+        node.name: Function(MEANINGS[node.name], ("",) * len(node.arguments))
         for node in walk(tree)
         if isinstance(node, Applied)
     }
@@ -274,7 +275,7 @@ def test_an_integral_within_an_integral() -> None:
 def test_a_function_that_the_paper_prints() -> None:
     text = r"\frac{1}{4} (L(1,1,0) - L(-1,1,0) - L(1,-1,0) \\ &\quad + L(-1,-1,0))"
     x, y, z = symbols("x y z")
-    quadratic = Function(1 + 2 * x + 3 * y + 5 * z + 7 * x * y + 13 * x * x, (x, y, z))
+    quadratic = Function(1 + 2 * x + 3 * y + 5 * z + 7 * x * y + 13 * x * x, ("x", "y", "z"))
     assert evaluate(read(text, None, [], ["L"]), {"L": quadratic}, text) == 7
 
 

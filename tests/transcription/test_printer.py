@@ -14,7 +14,8 @@ from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree
 from omniproof.transcription.model import Notation
 from omniproof.transcription.printer import latex
-from omniproof.transcription.reader import LatexError, read
+from omniproof.transcription.reader import read
+from omniproof.transcription.tokens import LatexError
 
 POINT = {
     "a": Rational(2, 7), "b_1": Rational(-5, 3), "\\theta": Rational(11, 13),

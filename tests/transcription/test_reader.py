@@ -7,8 +7,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omniproof.transcription.model import Notation
-from omniproof.transcription.reader import LatexError, read, symbol_name
-from omniproof.transcription.tokens import MAX_DEPTH, MAX_LENGTH, RULES
+from omniproof.transcription.reader import read
+from omniproof.transcription.symbols import symbol_name
+from omniproof.transcription.tokens import MAX_DEPTH, MAX_LENGTH, RULES, LatexError
 from omniproof.transcription.tree import (
     Absolute,
     Applied,

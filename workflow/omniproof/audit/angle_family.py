@@ -16,7 +16,6 @@ from sympy import And, Expr, Symbol, ceiling, false, floor, ilcm, pi, true
 from sympy.logic.boolalg import Boolean
 
 from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted, Undecided, Witness
-from omniproof.audit.hypotheses import REAL_LINE
 
 ENGINE = ("exact",)
 TURN = 2 * pi
@@ -42,7 +41,7 @@ def instance(
     if not members:
         told = f"{max(fits.values())} in one member"
         return Refuted(ENGINE, Witness(shown, f"{len(printed)} angles", told))
-    interval = domain.intervals.get(parameter.name, REAL_LINE)
+    interval = domain.interval(parameter.name)
     period = _period(family, parameter)
     found = {And(*assumed).subs(parameter, again)
              for value in members for again in _returns(value, period, interval)}  # fmt: skip

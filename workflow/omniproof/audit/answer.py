@@ -9,6 +9,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+import sympy as sp
+
+REAL_LINE = (-sp.oo, sp.oo)
+
 Point = Mapping[str, str]
 """Symbol name -> rational number or decimal, as it is shown to a reader."""
 
@@ -85,6 +89,10 @@ class Domain:
     intervals: Mapping[str, tuple[Any, Any]] = field(default_factory=dict)
     conditions: tuple[Any, ...] = ()
     closed: Mapping[str, tuple[bool, bool]] = field(default_factory=dict)
+
+    def interval(self, name: str) -> tuple[Any, Any]:
+        """Return the ends between which a symbol lies."""
+        return self.intervals.get(name, REAL_LINE)
 
 
 REALS = Domain()

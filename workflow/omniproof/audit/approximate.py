@@ -25,7 +25,6 @@ from omniproof.audit.balls import compile_balls
 from omniproof.audit.integrals import flattened
 from omniproof.audit.sampling import Sample, sample_points
 from omniproof.decide.balls import rational_ball
-from omniproof.formula.errors import UnsupportedError
 from omniproof.transcription import tree
 
 Values: TypeAlias = NDArray[np.float64]
@@ -253,5 +252,3 @@ _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Values]], Values]] = {
     tree.Tuple: _tuple,
     tree.MatrixLiteral: _matrix,
 }
-
-__all__ = ["ShapeError", "UnsupportedError", "Values", "agree", "at_points", "combine", "evaluate"]

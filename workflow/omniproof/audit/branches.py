@@ -16,19 +16,10 @@ from math import prod
 import sympy as sp
 
 from omniproof.decide.normal_form.form import NormalForm, Signs
-from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS, term_of
 
-TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 MOST_PARTS = 14
 MOST_TOGETHER = 3
-
-
-def is_root(node: sp.Expr) -> bool:
-    """Whether a node is an odd power of a square root, or of a root of such a root."""
-    if not (node.is_Pow and node.exp.is_Rational):
-        return False
-    order = int(node.exp.q)
-    return order > 1 and order & (order - 1) == 0
 
 
 @dataclass(frozen=True)
@@ -94,7 +85,9 @@ def named_parts(expression: sp.Expr) -> Iterator[sp.Expr]:
     """Yield what a reader would name: arguments of |.|, functions, symbols, sums, products."""
     nodes = [node for node in sp.preorder_traversal(expression) if isinstance(node, sp.Expr)]
     absolute = [node.args[0] for node in nodes if isinstance(node, (sp.Abs, sp.sign))]
-    simple = [n for n in nodes if n.free_symbols and (n.is_Symbol or isinstance(n, TRIGONOMETRIC))]
+    simple = [
+        n for n in nodes if n.free_symbols and (n.is_Symbol or isinstance(n, CIRCULAR_FUNCTIONS))
+    ]
     sums = [node for node in nodes if node.is_Add and node.free_symbols]
     known = list(dict.fromkeys([*absolute, *simple]))
     yield from known

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, assert_never
 from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.definedness import conditions, lost_conditions
-from omniproof.audit.definitions import Parts, parts
+from omniproof.audit.definitions import Definitions, definitions
 from omniproof.audit.direct import heard_on
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
@@ -32,7 +32,7 @@ from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError, toke
 
 if TYPE_CHECKING:
     from omniproof.audit.repair import Repair
-    from omniproof.transcription.readings import Reading
+    from omniproof.transcription.parses import Parse
 
 FOR_PAPERS = (
     (r"declare `[^`]*` with `role: quantity`, or ", ""),
@@ -105,18 +105,18 @@ def check(text: str, assumptions: Assumptions = Assumptions()) -> CheckResult:  
     """
     printed = text.strip()
     judge = partial(_judge, printed, assumptions)
-    ways: tuple[Reading, ...] = ()
+    ways: tuple[Parse, ...] = ()
 
     def read_and_judge() -> CheckResult:
         nonlocal ways
-        ways, complete = assumptions.readings(printed)
+        ways, complete = assumptions.parses(printed)
         first = judge(ways[0].node)
         return first if len(ways) == 1 else _in_favour(first, ways, complete, judge)
 
     result = _answered(printed, read_and_judge)
     if result.verdict is not Finding.ERRATUM:
         return result
-    node = parts(ways[0].node).rest or ways[0].node
+    node = definitions(ways[0].node).rest or ways[0].node
     if (short := _short_functions(node)) and not assumptions.functions:
         other = check(text, replace(assumptions, functions=short))
         if other.verdict is Finding.VERIFIED:
@@ -145,7 +145,7 @@ def _judge(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckResu
 
 def _decided(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckResult:
     refuse_mixed_differences(node, printed)
-    found = parts(node)
+    found = definitions(node)
     setting = settle(node, assumptions)
     defined = ", ".join(f"`{latex(symbol)}`" for symbol in found.defined)
     if found.rest is None:
@@ -169,7 +169,7 @@ def _decided(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckRe
     return replace(result, message=f"{result.message}; a definition of {defined}")
 
 
-def _uses(found: Parts) -> bool:
+def _uses(found: Definitions) -> bool:
     """Whether what is left to judge has a symbol that the statement defines."""
     return found.rest is not None and not tree.names(found.rest).isdisjoint(
         symbol.name for symbol in found.defined
@@ -178,7 +178,7 @@ def _uses(found: Parts) -> bool:
 
 def _in_favour(
     first: CheckResult,
-    ways: Sequence[Reading],
+    ways: Sequence[Parse],
     complete: bool,
     judge: Callable[[tree.Node], CheckResult],
 ) -> CheckResult:

@@ -29,7 +29,6 @@ from omniproof.audit.answer import (
     Witness,
 )
 from omniproof.audit.balls import compile_balls, evaluate
-from omniproof.audit.branches import TRIGONOMETRIC
 from omniproof.audit.confirm_order import confirmed_order
 from omniproof.audit.exact import sign, subtract, vanishes
 from omniproof.audit.quotient import OnBox
@@ -40,7 +39,7 @@ from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
 from omniproof.decide.balls import format_ball, rational_ball, sign_of
 from omniproof.decide.normal_form.angles import read_angle
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS, term_of
 from omniproof.formula.term import Symbol
 
 ENGINE = ("flint",)
@@ -73,8 +72,7 @@ class _Comparison:
         self.domain = domain
         self.difference = subtract(left, right)
         self.symbols = sorted(self.difference.free_symbols, key=str)
-        whole = (-sp.oo, sp.oo)
-        self.box = {s: domain.intervals.get(s.name, whole) for s in self.symbols}
+        self.box = {s: domain.interval(s.name) for s in self.symbols}
         self.closed = {s: domain.closed.get(s.name, (False, False)) for s in self.symbols}
         self.bounded = all(sp.oo not in (-a, b) for a, b in self.box.values())
 
@@ -260,7 +258,7 @@ class _Comparison:
     def compact(self) -> tuple[OnBox | None, sp.Expr | None]:
         """Put the variable on a bounded interval; returns also what it is there."""
         (symbol,), (range_,) = self.symbols, self.box.values()
-        calls = self.difference.atoms(*TRIGONOMETRIC)
+        calls = self.difference.atoms(*CIRCULAR_FUNCTIONS)
         if not calls:
             t = sp.Symbol("t", real=True)
             place, side = _compact(t, *range_)

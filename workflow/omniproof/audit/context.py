@@ -21,10 +21,11 @@ from omniproof.formula.sympy_terms import Converter
 from omniproof.formula.unfold import unfold
 from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
 from omniproof.transcription.checking import known_names
+from omniproof.transcription.conventions import Names
 from omniproof.transcription.loader import LoadedPaper
 from omniproof.transcription.model import Claim, Role
 from omniproof.transcription.model import Symbol as PrintedSymbol
-from omniproof.transcription.reader import Names, read_with
+from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, Name, Node, names
 
@@ -129,7 +130,7 @@ class Context:
         for printed in names(node) & self.loaded.symbols.keys():
             symbol = self.loaded.symbols[printed]
             value = own[symbol.name] if symbol.name in own else self.meaning(printed)
-            variables = tuple(self.meaning(symbol_name(latex)) for latex in symbol.of)
+            variables = tuple(self.meaning(symbol_name(latex)).name for latex in symbol.of)
             found[printed] = Function(value, variables) if variables else value
         return found
 
@@ -207,3 +208,8 @@ def entries(value: Any) -> dict[tuple[int, ...], Any]:
     if columns == 1:
         return {(i + 1,): value[i, 0] for i in range(rows)}
     return {(i + 1, k + 1): value[i, k] for i in range(rows) for k in range(columns)}
+
+
+def flat(value: Any) -> list[Any]:
+    """Entries of a matrix in printed order; an expression is its only one."""
+    return list(entries(value).values()) if isinstance(value, MatrixBase) else [value]

@@ -13,6 +13,7 @@ from typing import Any
 
 import sympy as sp
 
+from omniproof.formula.sympy_terms import FUNCTIONS
 from omniproof.transcription import tree
 
 Evaluate = Callable[[tree.Node], Any]
@@ -104,8 +105,8 @@ def _divisors(value: Any) -> set[Any]:
     """Collect the factors that a value itself keeps from vanishing."""
     powers = (power for power in value.atoms(sp.Pow) if power.exp.is_negative)
     found = {factor for power in powers for factor in _factors(power.base)}
-    for kinds, pole in (((sp.tan, sp.sec), sp.cos), ((sp.cot, sp.csc), sp.sin)):
-        found |= {pole(call.args[0]) for call in value.atoms(*kinds)}
+    for name, pole in POLES.items():
+        found |= {pole(call.args[0]) for call in value.atoms(FUNCTIONS[name])}
     return found
 
 

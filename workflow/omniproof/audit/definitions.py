@@ -18,7 +18,7 @@ IDENTITY = re.compile("I(_.*)?")
 
 
 @dataclass(frozen=True)
-class Parts:
+class Definitions:
     """The symbols that a statement defines, and what of it is left to judge (`None`: nothing).
 
     `sought` are symbols that it may define, too, or be an equation for.
@@ -29,14 +29,14 @@ class Parts:
     sought: tuple[tree.Symbolic, ...] = ()
 
 
-def parts(node: tree.Node) -> Parts:
+def definitions(node: tree.Node) -> Definitions:
     """Take the definitions out of an equation, a chain of them, or a list.
 
     A side defines if it is one symbol that stands nowhere else in its equation nor in one before,
     or, as the first side, a vector or matrix of such symbols. Of a chain, the other sides are left.
     """
     before: set[str] = set()
-    found: list[Parts] = []
+    found: list[Definitions] = []
     for item in node.items if isinstance(node, tree.Listing) else (node,):
         found.append(_taken_apart(item, before))
         before |= tree.names(item)
@@ -46,13 +46,13 @@ def parts(node: tree.Node) -> Parts:
     )
     left = tuple(each.rest for each in found if each.rest is not None)
     if len(left) > 1:
-        return Parts(defined, tree.Listing(left, span=node.span), sought)
-    return Parts(defined, left[0] if left else None, sought)
+        return Definitions(defined, tree.Listing(left, span=node.span), sought)
+    return Definitions(defined, left[0] if left else None, sought)
 
 
-def _taken_apart(node: tree.Node, before: set[str]) -> Parts:
+def _taken_apart(node: tree.Node, before: set[str]) -> Definitions:
     if not isinstance(node, tree.Chain) or node.relation != "=" or node.continued:
-        return Parts((), node)
+        return Definitions((), node)
     known = Counter(_all_names(node)) + Counter(before)
     if any(map(is_raised, tree.walk(node))):
         known += Counter(name for name in known if IDENTITY.fullmatch(name))
@@ -63,7 +63,7 @@ def _taken_apart(node: tree.Node, before: set[str]) -> Parts:
     }
     defining = [place for place in new if place == 0 or new[place] == (node.sides[place],)]
     sides = tuple(side for place, side in enumerate(node.sides) if place not in defining)
-    return Parts(
+    return Definitions(
         tuple(symbol for place in defining for symbol in new.pop(place)),
         replace(node, sides=sides) if len(sides) > 1 else None,
         tuple(symbol for symbols in new.values() for symbol in symbols),

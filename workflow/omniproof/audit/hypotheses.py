@@ -18,7 +18,7 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from omniproof.audit.answer import REALS, Domain, Proved
+from omniproof.audit.answer import REAL_LINE, REALS, Domain, Proved
 from omniproof.audit.branches import named_parts
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.quotient import OnBox
@@ -28,7 +28,6 @@ from omniproof.decide.normal_form.radicals import Requirement
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 
-REAL_LINE = (-sp.oo, sp.oo)
 MOST_ADDED = 3
 
 
@@ -156,7 +155,7 @@ def _follows(part: sp.Expr, domain: Domain) -> bool:
 
 
 def _on_box(part: sp.Expr, domain: Domain) -> bool:
-    sides = {symbol: domain.intervals.get(symbol.name, REAL_LINE) for symbol in part.free_symbols}
+    sides = {symbol: domain.interval(symbol.name) for symbol in part.free_symbols}
     if any(end.is_infinite for side in sides.values() for end in map(sp.sympify, side)):
         return False
     return isinstance(sign_on(OnBox(part, sides), 1), Proved)
@@ -187,7 +186,7 @@ def _largest(form: sp.Expr, domain: Domain) -> Any:
     total = form.subs(dict.fromkeys(form.free_symbols, 0))
     for symbol in form.free_symbols:
         rate = form.coeff(symbol)
-        lower, upper = map(sp.sympify, domain.intervals.get(symbol.name, REAL_LINE))
+        lower, upper = map(sp.sympify, domain.interval(symbol.name))
         end = upper if rate.is_positive else lower
         if rate.free_symbols or end.is_infinite:
             return None
@@ -200,7 +199,7 @@ def _shifted(part: sp.Expr, domain: Domain) -> bool:
     """Whether a part is a sum of positive terms, each symbol measured from its end."""
     moved = {}
     for symbol in part.free_symbols:
-        lower, upper = map(sp.sympify, domain.intervals.get(symbol.name, REAL_LINE))
+        lower, upper = map(sp.sympify, domain.interval(symbol.name))
         own = sp.Symbol(symbol.name, positive=True)
         if lower.is_finite:
             moved[symbol] = lower + own
@@ -218,7 +217,7 @@ def within(
     """
     sides = {}
     for symbol, (lower, upper) in box.items():
-        own = domain.intervals.get(symbol.name, REAL_LINE)
+        own = domain.interval(symbol.name)
         sides[symbol] = (sp.Max(lower, own[0]), sp.Min(upper, own[1]))
         if sign(subtract(*reversed(sides[symbol]))) <= 0:
             raise UnsupportedError(f"no value of {symbol} is left")
@@ -231,7 +230,7 @@ def closed_ends(
     """Return which ends of a box are closed ends of the domain."""
     closed = {}
     for symbol, side in box.items():
-        own = domain.intervals.get(symbol.name, REAL_LINE)
+        own = domain.interval(symbol.name)
         belongs = domain.closed.get(symbol.name, (False, False))
         ends = [belongs[k] and sign(subtract(side[k], own[k])) == 0 for k in (0, 1)]
         if any(ends):

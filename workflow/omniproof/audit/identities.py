@@ -10,7 +10,7 @@ from sympy import MatrixBase
 
 from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.context import Context, entries
+from omniproof.audit.context import Context, entries, flat
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.mending import Mended, mend
 from omniproof.audit.relations import merge
@@ -23,8 +23,8 @@ from omniproof.formula.value import Value
 from omniproof.registry import Modelled
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
+from omniproof.transcription.parses import Parse, parses
 from omniproof.transcription.reader import read_with
-from omniproof.transcription.readings import Reading, readings
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Node, Span
 
@@ -78,15 +78,10 @@ def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
         replace(cell, domain=domain, premises=granted, gap=derived.gap)
         for cell, granted in zip(
             _printed_cells(claim, context, derived.mechanics),
-            _flat(derived.premises),
+            flat(derived.premises),
             strict=True,
         )
     )
-
-
-def _flat(value: Any) -> list[Any]:
-    """Entries of a matrix in printed order; an expression is its only one."""
-    return list(entries(value).values()) if isinstance(value, MatrixBase) else [value]
 
 
 def _printed_cells(claim: Claim, context: Context, derived: Any) -> Iterator[Cell]:
@@ -139,7 +134,7 @@ def _rivals(others: Sequence[str]) -> str:
     return f"as small an edit: ${'$, or $'.join(others)}$" if others else ""
 
 
-def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int, Reading | None]:
+def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int, Parse | None]:
     """Compare a cell; a side that is false is read in the other ways, too, that its print allows.
 
     Gives the reading that makes it true, if it is not the usual one.
@@ -148,7 +143,7 @@ def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int,
     if not isinstance(answer, Refuted):
         return answer, place, None
     begin, end = cell.places[place]
-    for way in readings(cell.text[begin:end], context.loaded.paper.notation, context.names)[0][1:]:
+    for way in parses(cell.text[begin:end], context.loaded.paper.notation, context.names)[0][1:]:
         try:
             side = context.evaluate(claim.id, way.node) * cell.factor
             unfolded = context.unfolded(claim.id, way.node)
@@ -163,13 +158,13 @@ def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int,
     return answer, place, None
 
 
-def _told(way: Reading | None) -> str:
+def _told(way: Parse | None) -> str:
     if way is None:
         return ""
     return f"true if one reads {', '.join(f'${one}$ as ${other}$' for one, other in way.chosen)}"
 
 
-def _heard(answer: Answer, place: int, way: Reading | None, cell: Cell, voice: Voice) -> Answer:
+def _heard(answer: Answer, place: int, way: Parse | None, cell: Cell, voice: Voice) -> Answer:
     """Ask direct evaluation of each side that was found true, or of the one that was not."""
     if way is not None:
         return voice.equal(answer, way.node, (), cell.derived / cell.factor)

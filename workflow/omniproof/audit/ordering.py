@@ -37,11 +37,6 @@ def monotone(values: Sequence[sp.Expr], direction: int) -> Answer:
     return _all_pairs(values, lambda order: order == -direction)
 
 
-def all_equal(values: Sequence[sp.Expr]) -> Answer:
-    """Decide whether all values agree; a witness names the first two neighbours that do not."""
-    return _all_pairs(values, lambda order: order == 0)
-
-
 def extreme_members(values: Mapping[str, sp.Expr], direction: int) -> tuple[str, ...] | Undecided:
     """Name the largest members (direction 1) or the smallest (-1): all of them, if they tie."""
     try:

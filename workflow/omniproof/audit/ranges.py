@@ -92,16 +92,6 @@ def meet_all(left: Pieces, right: Pieces) -> Pieces:
     return tuple(part for part in parts if part is not None)
 
 
-def includes(outer: Piece, inner: Piece) -> bool:
-    """Decide whether an interval lies within another, ends and all."""
-    common = meet(outer, inner)
-    return (
-        common is not None
-        and order(common.lower, inner.lower) == order(common.upper, inner.upper) == 0
-        and (common.lower_closed, common.upper_closed) == (inner.lower_closed, inner.upper_closed)
-    )
-
-
 def scale(piece: Piece, factor: sp.Expr, shift: sp.Expr = sp.S.Zero) -> Piece:
     """Return {factor x + shift : x in the interval}; the factor is not zero."""
     lower, upper = (

@@ -10,7 +10,7 @@ import numpy as np
 
 from omniproof.audit.answer import Answer, Proved
 from omniproof.audit.approximate import ShapeError, Values, at_points, evaluate
-from omniproof.audit.definitions import parts
+from omniproof.audit.definitions import definitions
 from omniproof.audit.direct import heard_on
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair
@@ -61,7 +61,7 @@ def remedies(
 
 def _judged(text: str, assumptions: Assumptions) -> tree.Node:
     """Read what of a text is judged; raises `LatexError` where there is nothing, or no one way."""
-    rest = parts(assumptions.read(text)).rest
+    rest = definitions(assumptions.read(text)).rest
     if rest is None:
         raise LatexError("nothing to prove", text, (0, len(text)))
     refuse_unclear(rest, text, assumptions.functions)

@@ -22,7 +22,6 @@ from omniproof.formula.errors import UnsupportedError
 MOST_TRIES = 60  # points tried for one at which all conditions hold
 REACH = 6  # length of the interval in which an unbounded symbol is sampled, unless told
 DENOMINATORS = range(3, 14)
-REAL_LINE = (-sp.oo, sp.oo)
 
 Sample = dict[sp.Symbol, fmpq]
 
@@ -63,7 +62,7 @@ def _ranges(
     for symbol in sorted(symbols, key=by_name):
         known = symbol.assumptions0  # quicker than to ask for what is not known
         signs = known.get("nonnegative", False), known.get("nonpositive", False)
-        ends = domain.intervals.get(symbol.name, REAL_LINE)
+        ends = domain.interval(symbol.name)
         ranges[symbol] = _range(*map(exact_number, ends), *signs, reach)
     return ranges
 

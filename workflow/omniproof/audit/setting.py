@@ -14,7 +14,7 @@ from typing import Any, NoReturn
 
 import sympy as sp
 
-from omniproof.audit.answer import Domain
+from omniproof.audit.answer import REAL_LINE, Domain
 from omniproof.audit.exact import sign, subtract
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
@@ -22,11 +22,11 @@ from omniproof.formula.term import Symbol
 from omniproof.transcription import tree
 from omniproof.transcription.conventions import ALONE, Conventions
 from omniproof.transcription.faults import nearest
-from omniproof.transcription.reader import read_with, symbol_name
-from omniproof.transcription.readings import Reading, readings
+from omniproof.transcription.parses import Parse, parses
+from omniproof.transcription.reader import read_with
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import FUNCTIONS, LatexError
 
-REAL_LINE = (-sp.oo, sp.oo)
 LARGEST_BOUND = sp.Integer(10) ** 300
 """Samples are drawn between floats, which end at 10^308."""
 _ACCENT = re.compile(r"^\\(?:wide)?(hat|bar|tilde|dot|ddot|vec)\{(\\?[A-Za-z]+)\}")
@@ -50,9 +50,9 @@ class Assumptions:
         """Read a formula in the usual way with these conventions; raises `LatexError`."""
         return read_with(text, self._conventions(), ALONE, {})
 
-    def readings(self, text: str) -> tuple[tuple[Reading, ...], bool]:
-        """Read a formula in every way, as `reader.readings` does; raises `LatexError`."""
-        return readings(text, self._conventions(), ALONE)
+    def parses(self, text: str) -> tuple[tuple[Parse, ...], bool]:
+        """Read a formula in every way, as `parses.parses` does; raises `LatexError`."""
+        return parses(text, self._conventions(), ALONE)
 
     def _conventions(self) -> Conventions:
         for short, function in self.functions.items():

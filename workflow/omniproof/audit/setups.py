@@ -9,9 +9,7 @@ to all cells would hide which of them disagree; intervals show it, and prove it:
 * further unknowns that enter linearly are eliminated pair by pair (Fourier and Motzkin). For cells
   with two bounds each this loses nothing: intervals on a line have a common point as soon as any
   two of them have one;
-* an empty intersection comes with a contradictory subset of cells from which none can be spared;
-* unknowns that enter in one combination only, such as V/r, cannot be told apart: `combine`
-  replaces the combinations by unknowns of their own.
+* an empty intersection comes with a contradictory subset of cells from which none can be spared.
 """
 
 from __future__ import annotations
@@ -20,7 +18,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cmp_to_key, reduce
-from itertools import chain, combinations
+from itertools import combinations
 from typing import Any, TypeAlias
 
 import sympy as sp
@@ -109,14 +107,6 @@ class Solution:
 
 
 @dataclass(frozen=True)
-class Combined:
-    """Cells as linear functions of the combinations in which the unknowns enter."""
-
-    meaning: Mapping[sp.Symbol, sp.Expr]
-    cells: tuple[Cell, ...]
-
-
-@dataclass(frozen=True)
 class Checked:
     """A cell beside its exact value in a stated set-up.
 
@@ -169,28 +159,6 @@ def readings_left(
     except UnsupportedError as reason:
         return Undecided(str(reason), ENGINE)
     return left
-
-
-def combine(cells: Sequence[Cell], unknowns: Sequence[sp.Symbol]) -> Combined | None:
-    """Replace products of powers of the unknowns by unknowns of their own, `k_1`, `k_2`, ...
-
-    None when these are not independent (V and V^2), or when an unknown enters otherwise. If there
-    are fewer combinations than unknowns, the cells tell the combinations and nothing more.
-    """
-    found = [_monomials(cell.value, unknowns) for cell in cells]
-    forms = [form for form in found if form is not None]
-    keys = list(filter(any, dict.fromkeys(chain(*forms))))
-    if len(forms) < len(cells) or not keys or sp.Matrix(keys).rank() < len(keys):
-        return None
-    symbols = {key: sp.Symbol(f"k_{place}", real=True) for place, key in enumerate(keys, 1)}
-    meaning = {symbol: sp.Mul(*map(sp.Pow, unknowns, key)) for key, symbol in symbols.items()}
-    values = (_linear(form, symbols) for form in forms)
-    linear = (replace(cell, value=value) for cell, value in zip(cells, values, strict=True))
-    return Combined(meaning, tuple(linear))
-
-
-def _linear(form: Mapping[Powers, sp.Expr], symbols: Mapping[Powers, sp.Symbol]) -> sp.Expr:
-    return sp.Add(*(slope * symbols.get(key, 1) for key, slope in form.items()))
 
 
 def check_setup(

@@ -20,12 +20,12 @@ import sympy as sp
 
 from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.answer import Witness as Point
-from omniproof.audit.branches import is_root
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.exact import sign
 from omniproof.audit.hypotheses import sign_under
 from omniproof.audit.signs import guarded
 from omniproof.formula.errors import UnsupportedError, WorkLimitError
+from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS
 from omniproof.registry import Curve
 
 ENGINE = ("flint",)
@@ -33,7 +33,6 @@ UNIT_CIRCLE = [sp.Rational(k, 5) for k in (0, 3, -3, 4, -4)]  # sqrt(1 - t^2) is
 MOST_POINTS = 6
 LONGEST = 600
 STEPS = (1, 2, 3, 6, 4)  # denominators: few different roots
-TRIGONOMETRIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 Vector = Any
 """A SymPy column of three."""
 
@@ -223,7 +222,7 @@ class _Track:
     def unit(self) -> Any:
         """Return the parameter of half a turn, 1 for a curve without angles."""
         for node in sp.preorder_traversal(self.place):
-            if isinstance(node, TRIGONOMETRIC) and node.has(self.parameter):
+            if isinstance(node, CIRCULAR_FUNCTIONS) and node.has(self.parameter):
                 rate = sp.diff(node.args[0], self.parameter)
                 if not rate.has(self.parameter):
                     return sp.pi / rate
@@ -305,7 +304,15 @@ def _axes(frame: _Frame, conic: tuple[Any, Any, Any]) -> str:
 
 
 def _is_bent(node: Any) -> bool:
-    return isinstance(node, (sp.Abs, sp.sign)) or (isinstance(node, sp.Expr) and is_root(node))
+    return isinstance(node, (sp.Abs, sp.sign)) or (isinstance(node, sp.Expr) and _is_root(node))
+
+
+def _is_root(node: sp.Expr) -> bool:
+    """Whether a node is an odd power of a square root, or of a root of such a root."""
+    if not (node.is_Pow and node.exp.is_Rational):
+        return False
+    order = int(node.exp.q)
+    return order > 1 and order & (order - 1) == 0
 
 
 def _sign(value: Any) -> int | None:
@@ -331,7 +338,7 @@ def _tidy(value: Any) -> Any:
     if not value.free_symbols:
         return sp.radsimp(sp.expand(value), max_terms=3)
     value = sp.factor(sp.radsimp(sp.cancel(sp.expand(value))))
-    return sp.trigsimp(value) if value.has(*TRIGONOMETRIC) else value
+    return sp.trigsimp(value) if value.has(*CIRCULAR_FUNCTIONS) else value
 
 
 def _shown(point: Vector) -> str:

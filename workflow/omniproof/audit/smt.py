@@ -18,11 +18,12 @@ from typing import Any, NamedTuple
 
 import sympy as sp
 
+from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS
+
 STEPS = 100_000
 LAST_RESORT_MS = 10_000
 """Steps do not count the arithmetic of large polynomials, so a clock stands behind them."""
 MOST_OPERATIONS, MOST_VARIABLES, LARGEST_MULTIPLE, LARGEST_POWER = 80, 9, 6, 8
-CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
 SIGNS: tuple[tuple[str, Callable[[Any], Any]], ...] = (
     ("is_nonnegative", lambda variable: variable >= 0),
@@ -140,7 +141,7 @@ class Translation:
             return self._product(*map(self.fraction, node.args))
         if node.is_Pow:
             return self._power(node)
-        if isinstance(node, CIRCULAR):
+        if isinstance(node, CIRCULAR_FUNCTIONS):
             return self._circular(node)
         raise OutsideError(f"{node} is no rational formula")
 
@@ -239,7 +240,7 @@ class Translation:
         return total
 
     def _constant(self, value: sp.Expr) -> Fraction:
-        if value.has(*CIRCULAR):
+        if value.has(*CIRCULAR_FUNCTIONS):
             raise OutsideError(f"{value} is no expression in square roots")
         return self.fraction(sp.expand(value))
 
@@ -287,7 +288,7 @@ class _Question(Translation):
 def _denominators(sides: tuple[sp.Expr, ...]) -> dict[sp.Expr, int]:
     """Return the common denominator of the multiples of each atom."""
     found: dict[sp.Expr, int] = {}
-    for node in set().union(*(side.atoms(*CIRCULAR) for side in sides)):
+    for node in set().union(*(side.atoms(*CIRCULAR_FUNCTIONS) for side in sides)):
         for term in sp.Add.make_args(sp.expand(node.args[0])):
             factor, atom = term.as_coeff_Mul()
             found[atom] = lcm(found.get(atom, 1), int(factor.q))

@@ -18,10 +18,10 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
+from omniproof.audit.answer import REAL_LINE
 from omniproof.audit.balls import evaluate
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.smt import (
-    CIRCULAR,
     LARGEST_POWER,
     MOST_OPERATIONS,
     Fraction,
@@ -30,10 +30,10 @@ from omniproof.audit.smt import (
     Translation,
 )
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS
 
 STEPS = 100_000
 DIGITS = 20
-REAL_LINE = (-sp.oo, sp.oo)
 Point: TypeAlias = tuple[Any, ...]
 
 
@@ -280,7 +280,7 @@ RELATIONS = {
 
 def _outside_of_calls(formula: sp.Expr) -> set[sp.Symbol]:
     """Return the symbols of a formula that are more than angles of sines and the like."""
-    calls = {call: sp.Dummy() for call in formula.atoms(*CIRCULAR)}
+    calls = {call: sp.Dummy() for call in formula.atoms(*CIRCULAR_FUNCTIONS)}
     return set(formula.xreplace(calls).free_symbols)
 
 

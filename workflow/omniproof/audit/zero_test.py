@@ -249,12 +249,12 @@ class _Question:
 
     def is_limited(self, symbol: sp.Symbol) -> bool:
         """Whether the domain of a symbol is bounded."""
-        lower, upper = self.domain.intervals.get(symbol.name, (-sp.oo, sp.oo))
+        lower, upper = self.domain.interval(symbol.name)
         return lower != -sp.oo and upper != sp.oo
 
     def shifted(self, symbol: sp.Symbol) -> sp.Expr:
         """Write a symbol that is bounded on one side by a positive one."""
-        lower, upper = self.domain.intervals.get(symbol.name, (-sp.oo, sp.oo))
+        lower, upper = self.domain.interval(symbol.name)
         positive = sp.Symbol(symbol.name, positive=True)
         if lower == -sp.oo:
             return symbol if upper == sp.oo else upper - positive

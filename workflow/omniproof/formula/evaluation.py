@@ -7,31 +7,25 @@ way, as it always does. Symbols keep the assumptions with which they are given.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import FunctionType
 from typing import Any, TypeAlias
 
-from sympy import MatrixBase, Symbol
+from sympy import MatrixBase
 
-from omniproof.formula import value as terms
 from omniproof.formula.sympy_terms import Converter
 from omniproof.formula.unfold import unfold
+from omniproof.formula.value import Function
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
+
+__all__ = ["Function", "Lifted", "Meaning", "Value", "evaluate"]
 
 Meaning: TypeAlias = Any
 """An expression, a matrix, for a quantity with arguments a `Function` of them, or an operator."""
 Value: TypeAlias = Any
 """An expression, a matrix, a relation, or a tuple of these."""
-
-
-@dataclass(frozen=True)
-class Function:
-    """What a quantity is, and the variables in it that its printed arguments replace."""
-
-    value: Value
-    of: tuple[Symbol, ...]
 
 
 def evaluate(node: tree.Node, meanings: Mapping[str, Meaning], source: str = "") -> Value:
@@ -63,7 +57,7 @@ class Lifted(Mapping[str, Any]):
         """Return a meaning as a term, a grid, or a function of them."""
         meaning, value = self.given[name], self.converter.value
         if isinstance(meaning, Function):
-            return terms.Function(value(meaning.value), tuple(x.name for x in meaning.of))
+            return replace(meaning, value=value(meaning.value))
         if isinstance(meaning, FunctionType):
             expression = self.converter.expression
             return lambda *places: value(meaning(*map(expression, places)))

@@ -17,7 +17,6 @@ import sympy as sp
 from omniproof.formula.angle import CIRCULAR, circular
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import Grid
-from omniproof.formula.statement import Comparison, Logic
 from omniproof.formula.term import (
     ONE,
     PI,
@@ -32,9 +31,9 @@ from omniproof.formula.term import (
     Term,
     root,
 )
-from omniproof.formula.value import Cases, Value
+from omniproof.formula.value import Cases, Comparison, Logic, Value
 
-FUNCTIONS: dict[str, Callable[..., Any]] = {
+FUNCTIONS: dict[str, Any] = {
     "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "cot": sp.cot, "sec": sp.sec, "csc": sp.csc,
     "arcsin": sp.asin, "arccos": sp.acos, "arctan": sp.atan, "atan2": sp.atan2,
     "sqrt": sp.sqrt, "abs": sp.Abs, "sign": sp.sign, "exp": sp.exp, "log": sp.log,
@@ -42,6 +41,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "power": sp.Pow,
 }  # fmt: skip
 """Functions of terms, and SymPy's."""
+CIRCULAR_FUNCTIONS = tuple(FUNCTIONS[name] for name in sorted(CIRCULAR))
 NAMES: dict[Any, str] = {function: name for name, function in FUNCTIONS.items()}
 COMPARE: dict[str, Callable[..., Any]] = {
     "=": sp.Eq, "<": sp.Lt, ">": sp.Gt, "\\leq": sp.Le, "\\geq": sp.Ge, "\\neq": sp.Ne,

@@ -18,7 +18,6 @@ from typing import Any, NoReturn
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import LARGEST_DETERMINANT, Grid, ShapeError, cross, inner
 from omniproof.formula.monomials import is_plainly_zero
-from omniproof.formula.statement import Comparison, Logic, Statement
 from omniproof.formula.term import (
     PI,
     Call,
@@ -37,7 +36,7 @@ from omniproof.formula.term import (
     root,
     substitute,
 )
-from omniproof.formula.value import Cases, Function, Value, kind
+from omniproof.formula.value import Cases, Comparison, Function, Logic, Statement, Value, kind
 from omniproof.transcription import tree
 from omniproof.transcription.faults import nearest
 from omniproof.transcription.printer import latex

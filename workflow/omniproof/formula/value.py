@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from omniproof.formula.grid import Grid
-from omniproof.formula.statement import Statement
 from omniproof.formula.term import Term
 
 Value: TypeAlias = Any
@@ -15,10 +14,34 @@ Value: TypeAlias = Any
 
 @dataclass(frozen=True)
 class Function:
-    """What a quantity is, and the names in it that its printed arguments replace."""
+    """What a quantity is, and the names in it that its printed arguments replace.
 
-    value: Value
+    The value is a term or grid, or SymPy's expression or matrix of a derivation.
+    """
+
+    value: Any
     of: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    r"""`a < b`; the operator is one of `=`, `<`, `>`, `\leq`, `\geq`, `\neq`."""
+
+    left: Any
+    operator: str
+    right: Any
+
+
+@dataclass(frozen=True)
+class Logic:
+    """Statements that all hold, of which one holds, or of which all or none hold."""
+
+    operator: Literal["and", "or", "equivalent"]
+    operands: tuple[Any, ...]
+
+
+Statement: TypeAlias = Comparison | Logic
+"""What is true or false of terms."""
 
 
 @dataclass(frozen=True)

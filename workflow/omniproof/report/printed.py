@@ -20,7 +20,7 @@ import sympy as sp
 import omniproof
 from omniproof.audit.answer import OnBranch, Proved, Refuted
 from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.context import Context, entries
+from omniproof.audit.context import Context, entries, flat
 from omniproof.audit.decimals import read_decimal
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Row, Verdict
@@ -104,7 +104,7 @@ class Printed:
         if getattr(right, "shape", ()) != getattr(own, "shape", ()):
             return "has another shape"
         domain = self.context.domain(self.claim)
-        for pair in zip(_flat(right), _flat(own), strict=True):
+        for pair in zip(flat(right), flat(own), strict=True):
             match confirmed_equal(*pair, domain):
                 case Proved():
                     continue
@@ -173,10 +173,6 @@ def _sides(claim: Claim, context: Context) -> tuple[Any, Any]:
     if claim.kind is Kind.VALUE and not isinstance(derived, Fit):
         return sp.Rational(read_decimal(str(claim.printed)).value), derived
     raise ValueError(f"{context.loaded.paper.key} {claim.id} is no single formula or number")
-
-
-def _flat(value: Any) -> list[Any]:
-    return list(entries(value).values()) if isinstance(value, sp.MatrixBase) else [value]
 
 
 def _near(word: str, known: Iterable[str]) -> str:

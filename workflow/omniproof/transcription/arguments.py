@@ -2,7 +2,7 @@
 r"""What a function without brackets is taken of: `\sin 2\theta`, `\cos{\theta} T`.
 
 Whether `\cos\theta T` takes in the T, print does not tell. A reader of one formula gets every
-possible end, and may be told which to take (`readings`); in a paper the longest is meant.
+possible end, and may be told which to take (`parses`); in a paper the longest is meant.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Argument:
 class ArgumentReader(AtomReader, ABC):
     """Reads arguments; `reach` says by their offsets which of their ends to take, if not `usual`.
 
-    Without a `reach`, nobody asks for other readings: what is not clear is refused.
+    Without a `reach`, nobody asks for other parses: what is not clear is refused.
     """
 
     def __init__(

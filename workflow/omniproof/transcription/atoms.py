@@ -36,7 +36,6 @@ from omniproof.transcription.tree import (
 
 INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
 PLAIN = (Name, Number, Degrees, Pi, Applied)
-SIMPLE = frozenset({"number", "symbol", "accent", "font"})
 PARTS = (Negative, Quotient, Power, Product)
 SPELLED = {
     **{word: f"write `\\{word}` for the function" for word in FUNCTIONS},

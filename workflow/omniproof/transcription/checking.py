@@ -15,14 +15,16 @@ from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from omniproof.transcription.conventions import Names
 from omniproof.transcription.faults import BadInput, Fault, nearest, shorten
 from omniproof.transcription.ids import base, whole
 from omniproof.transcription.messages import label, model_fault
 from omniproof.transcription.model import Claim, Notation, Paper, Reading, Role, Symbol, Table
 from omniproof.transcription.paperfile import Document, Path_, Tree
-from omniproof.transcription.reader import LatexError, Names, read_with, symbol_name
+from omniproof.transcription.reader import read_with
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tablefile import Cell, load_table, unit_faults
-from omniproof.transcription.tokens import FUNCTIONS
+from omniproof.transcription.tokens import FUNCTIONS, LatexError
 from omniproof.transcription.tree import Comparison, Logic, Node, Tuple, names, walk
 
 LISTS = frozenset({"latex", "agrees_with", "at", "assumes"})

@@ -14,9 +14,8 @@ from dataclasses import replace
 from typing import Literal
 
 from omniproof.transcription.arguments import ArgumentReader
-from omniproof.transcription.conventions import ALONE, Conventions, Names, Writing
+from omniproof.transcription.conventions import Conventions, Names, Writing
 from omniproof.transcription.symbols import END, TRANSPOSE, symbol_name
-from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import (
     STATEMENTS,
     Call,
@@ -37,18 +36,6 @@ from omniproof.transcription.tree import (
     Sum,
     Transpose,
 )
-
-__all__ = [
-    "ALONE",
-    "Conventions",
-    "LatexError",
-    "Names",
-    "Reader",
-    "Writing",
-    "read",
-    "read_with",
-    "symbol_name",
-]
 
 COMPARISONS = frozenset({"<", ">", "\\leq", "\\geq", "\\neq"})
 RELATIONS = COMPARISONS | {"="}

@@ -28,7 +28,7 @@ from omniproof.decide.prime_fields.parts import (
     is_plainly_positive,
     signed_terms,
 )
-from omniproof.decide.prime_fields.place import NoRootError, Place
+from omniproof.decide.prime_fields.point import NoRootError, RandomPoint
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.term import Call, Power, Sum, Symbol, Term, add, symbols
 
@@ -100,12 +100,12 @@ class _Test:
     def answer(self) -> ModularAnswer:
         """Look at as many points as the wanted bound takes."""
         bound = 1.0
-        for place, values in self._places():
+        for point, values in self._points():
             vanishing, patterns = values.count(0), len(values)
             if 0 < vanishing < patterns:
                 return Mixed(vanishing, patterns)
             if not vanishing:
-                return self._refuted(place)
+                return self._refuted(point)
             bound *= self.bound
             if bound < WANTED:
                 return Zero(bound)
@@ -116,17 +116,17 @@ class _Test:
     def _spellings(self) -> dict[Call, Call]:
         """Return for each root the first one that has its value: they are one number.
 
-        What is printed in two spellings is one root where the radicands agree at a random place.
+        What is printed in two spellings is one root where the radicands agree at a random point.
         Radicands that have roots inside are one only where they are written alike.
         """
-        place = Place(self.parts, ATTEMPTS)
-        place.choose({}, {})
+        point = RandomPoint(self.parts, ATTEMPTS)
+        point.choose({}, {})
         first: dict[object, Call] = {}
         same: dict[Call, Call] = {}
         for term in self.parts.roots:
             # By the square: |a - b|, |b - a| and sqrt((a - b)^2) are one number.
             square = term.parts[0] if term.function == "sqrt" else Power(term.parts[0], 2)
-            key = _fingerprint(square, place)
+            key = _fingerprint(square, point)
             same[term] = first.setdefault(key, term)
         return same
 
@@ -135,48 +135,48 @@ class _Test:
 
         What stands on both sides of an equation tells nothing: it is left out.
         """
-        place = Place(self.parts, ATTEMPTS)
-        place.choose(dict.fromkeys(self.roots, 1), self.same)
+        point = RandomPoint(self.parts, ATTEMPTS)
+        point.choose(dict.fromkeys(self.roots, 1), self.same)
         sides: dict[int, dict[object, Term]] = {1: {}, -1: {}}
         for sign, part in signed_terms(self.term):
             if is_plainly_positive(part, self.positive):
                 self.parts.note([part])
-                value = _fingerprint(part, place)
+                value = _fingerprint(part, point)
                 if sides[-sign].pop(value, None) is None:
                     sides[sign][value] = part
         return [add(*side.values()) for side in sides.values() if len(side) > 1]
 
-    def _refuted(self, place: Place) -> ModularAnswer:
+    def _refuted(self, point: RandomPoint) -> ModularAnswer:
         if self.parts.unknown:
             return Unsupported(
                 f"relations of {', '.join(sorted(self.parts.unknown))} are not known"
             )
-        return NonZero(place.field.prime, place.point())
+        return NonZero(point.field.prime, point.coordinates())
 
-    def _places(self) -> Iterator[tuple[Place, list[int]]]:
-        """Yield places where everything is defined, with the values for all possible signs."""
+    def _points(self) -> Iterator[tuple[RandomPoint, list[int]]]:
+        """Yield points where everything is defined, with the values for all possible signs."""
         for attempt in range(ATTEMPTS):
-            place = Place(self.parts, attempt)
+            point = RandomPoint(self.parts, attempt)
             try:
-                values = [self._at(place, signs) for signs in self.patterns]
+                values = [self._at(point, signs) for signs in self.patterns]
             except (ZeroDivisionError, NoRootError):
                 continue
-            yield place, self._possible(place, values)
+            yield point, self._possible(point, values)
 
     @staticmethod
-    def _possible(place: Place, values: list[tuple[int, list[int]]]) -> list[int]:
+    def _possible(point: RandomPoint, values: list[tuple[int, list[int]]]) -> list[int]:
         """Keep the values for signs that can be; all of them where they say the same."""
         vanishing = sum(value == 0 for value, _ in values)
         if vanishing in (0, len(values)):
             return [value for value, _ in values]
-        possible = [value for value, elements in values if not _contradicts(place, elements)]
+        possible = [value for value, elements in values if not _contradicts(point, elements)]
         if not possible:
             raise UnsupportedError("no signs of its roots are possible: it is nowhere defined")
         return possible
 
-    def _at(self, place: Place, signs: tuple[int, ...]) -> tuple[int, list[int]]:
-        place.choose(dict(zip(self.roots, signs, strict=True)), self.same)
-        return place.value(self.term), [place.value(element) for element in self.elements]
+    def _at(self, point: RandomPoint, signs: tuple[int, ...]) -> tuple[int, list[int]]:
+        point.choose(dict(zip(self.roots, signs, strict=True)), self.same)
+        return point.value(self.term), [point.value(element) for element in self.elements]
 
     def _elements(self, nonnegative: Sequence[Term]) -> list[Term]:
         """Collect what is never negative, the most telling first."""
@@ -197,12 +197,12 @@ class _Test:
 
     @cached_property
     def bound(self) -> float:
-        """Bound the probability that one place misleads.
+        """Bound the probability that one point misleads.
 
         The norm over all sign patterns is a polynomial with the degree and bits of the formula
         times their number. It vanishes at a random point with probability degree/p, and modulo at
         most bits * order / 126 of the primes, of which there are about 2^126/(88 order). The same
-        holds for each product that is compared with a constant. `ATTEMPTS` places may be looked at.
+        holds for each product that is compared with a constant. `ATTEMPTS` points may be looked at.
         """
         bounds = Bounds(self.parts)
         growths = [bounds.of(self.term)]
@@ -220,10 +220,10 @@ class _Test:
         return float(bound)
 
 
-def _fingerprint(term: Term, place: Place) -> object:
+def _fingerprint(term: Term, point: RandomPoint) -> object:
     """Return what tells a term from others of another value; itself where it has none here."""
     try:
-        return place.value(term)
+        return point.value(term)
     except (KeyError, ZeroDivisionError, NoRootError):
         return term
 
@@ -249,12 +249,12 @@ def _negative_ratios(prime: int) -> frozenset[int]:
     )
 
 
-def _contradicts(place: Place, elements: Sequence[int]) -> bool:
+def _contradicts(point: RandomPoint, elements: Sequence[int]) -> bool:
     """Whether a product of what is never negative is a negative constant: these signs cannot be."""
-    negative, prime = _negative_ratios(place.prime), place.prime
+    negative, prime = _negative_ratios(point.prime), point.prime
     # What is zero, or written twice, tells nothing more.
     elements = [element for element in dict.fromkeys(elements) if element]
-    inverses = [place.field.inverse(element) for element in elements]
+    inverses = [point.field.inverse(element) for element in elements]
     for factors in _products(len(elements)):
         total = 1
         for index, exponent in factors:

@@ -115,7 +115,6 @@ def describe_types(frame: pd.DataFrame) -> str:
 # Figure 2 ----------------------------------------------------------------------------------------
 
 ONE = _at(-30, 32, 40)
-SQUARE = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 PLATE = 1.3
 """Distance of the plane of eta from the centre (m)."""
 

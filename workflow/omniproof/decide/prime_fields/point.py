@@ -1,4 +1,4 @@
-"""A random place of a prime field: values of letters and units there, and of every term."""
+"""A random point of a prime field: values of letters and units there, and of every term."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class NoRootError(ValueError):
     """A radicand has no square root in the field."""
 
 
-class Place:
+class RandomPoint:
     """A prime field and random values of letters and units there."""
 
     def __init__(self, parts: Parts, attempt: int) -> None:
@@ -45,8 +45,8 @@ class Place:
         """Choose the signs of roots and absolute values; `same` gives the one to look at."""
         self.signs, self.same, self.memo = signs, same, dict(self.known)
 
-    def point(self) -> dict[str, int]:
-        """Name the values of symbols, for a reader who wants to see the place."""
+    def coordinates(self) -> dict[str, int]:
+        """Name the values of symbols, for a reader who wants to see the point."""
         return {item.name: value for item, value in self.known.items() if isinstance(item, Symbol)}
 
     def value(self, term: Term) -> int:
@@ -132,11 +132,11 @@ class Place:
         )
 
 
-_RULES: dict[type[Term], Callable[[Place, Any], int]] = {
-    Number: lambda place, term: place._number(term),
-    Sum: lambda place, term: place._sum(term),
-    Product: lambda place, term: place._product(term),
-    Power: lambda place, term: place._power(place.value(term.base), term.exponent),
-    Call: lambda place, term: place._call(term),
+_RULES: dict[type[Term], Callable[[RandomPoint, Any], int]] = {
+    Number: lambda point, term: point._number(term),
+    Sum: lambda point, term: point._sum(term),
+    Product: lambda point, term: point._product(term),
+    Power: lambda point, term: point._power(point.value(term.base), term.exponent),
+    Call: lambda point, term: point._call(term),
 }
 """Values of parts; letters have theirs from the start."""

@@ -15,18 +15,18 @@ from omniproof.transcription.tree import Node
 
 
 @dataclass(frozen=True)
-class Reading:
+class Parse:
     """One way to read a formula; `chosen` are the printed terms and how they were read."""
 
     node: Node
     chosen: tuple[tuple[str, str], ...] = ()
 
 
-MOST_READINGS = 32
+MOST_PARSES = 32
 """More readings than these take seconds to judge; then only the consistent ones are looked at."""
 
 
-def readings(text: str, notation: Writing, names: Names) -> tuple[tuple[Reading, ...], bool]:
+def parses(text: str, notation: Writing, names: Names) -> tuple[tuple[Parse, ...], bool]:
     r"""Read a formula in each way that its print allows, the usual one first.
 
     Print leaves open whether an argument without brackets takes in the factors after it:
@@ -36,11 +36,11 @@ def readings(text: str, notation: Writing, names: Names) -> tuple[tuple[Reading,
     node = first.document()
     arguments = tuple(first.arguments.values())
     ways: Iterable[tuple[int, ...]] = product(*(range(len(each.ends)) for each in arguments))
-    complete = prod(len(each.ends) for each in arguments) <= MOST_READINGS
+    complete = prod(len(each.ends) for each in arguments) <= MOST_PARSES
     if not complete:
         ways = ((0,) * len(arguments), tuple(len(each.ends) - 1 for each in arguments))
     usual = tuple(each.usual for each in arguments)
-    found = [_reading(text, node, arguments, usual)]
+    found = [_parse(text, node, arguments, usual)]
     for way in ways:
         if way != usual:
             reach = {each.start: end for each, end in zip(arguments, way, strict=True)}
@@ -48,11 +48,11 @@ def readings(text: str, notation: Writing, names: Names) -> tuple[tuple[Reading,
                 other = read_with(text, notation, names, reach)
             except LatexError:  # no formula in this reading
                 continue
-            found.append(_reading(text, other, arguments, way))
+            found.append(_parse(text, other, arguments, way))
     return tuple(found), complete
 
 
-def _reading(text: str, node: Node, arguments: Sequence[Argument], way: Sequence[int]) -> Reading:
+def _parse(text: str, node: Node, arguments: Sequence[Argument], way: Sequence[int]) -> Parse:
     """Say of each argument that was open what was printed and how it was read."""
     chosen = {}
     for each, end in zip(arguments, way, strict=True):
@@ -61,7 +61,7 @@ def _reading(text: str, node: Node, arguments: Sequence[Argument], way: Sequence
         argument = _balanced(text[each.start : each.ends[end]]).strip()
         rest = _balanced(text[each.ends[end] : each.ends[-1]])
         chosen[_balanced(printed)] = f"{function}({argument}){rest}"
-    return Reading(node, tuple(chosen.items()))
+    return Parse(node, tuple(chosen.items()))
 
 
 def _balanced(text: str) -> str:
