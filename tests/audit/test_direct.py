@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
+import sympy as sp
+import tiny_paper
 
 from omniproof.audit import check as checking
-from omniproof.audit import comparison, identities, run
+from omniproof.audit import comparison, confirm_decimals, identities, judge, run
 from omniproof.audit.answer import OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.check import Finding, check
+from omniproof.audit.decimals import Rounding
 from omniproof.audit.digits import UndefinedError, value
+from omniproof.audit.readings import load_readings
 from omniproof.audit.setting import Assumptions
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.registry import Relation, load_registry
 from omniproof.transcription.reader import read
 
 PROVED = Proved(("broken",))
@@ -66,6 +73,107 @@ def test_a_broken_engine_stops_an_audit(
     monkeypatch.setattr(identities, "confirmed_equal", lambda *_, **__: answer)
     with pytest.raises(DisagreementError, match="direct evaluation contradicts broken"):
         run.audit_paper(tiny_folder)
+
+
+AT_1_1 = Refuted(("broken",), Witness({"x": "1", "y": "1"}, "", ""))
+
+
+@pytest.mark.parametrize(
+    ("engine", "answer", "claim", "message"),
+    [
+        pytest.param("relations._confirmed", PROVED, "sec:1/shrinks",
+                     "left < right with left = 2, right = 1: ", id="no order"),
+        pytest.param("relations._confirmed", AT_1_1, "sec:1/grows",
+                     "left > right with left = 2, right = 1: ", id="an order"),
+        pytest.param("relations._confirmed", AT_1_1, "sec:1/best",
+                     "left > right with left = 2, right = 1: ", id="the largest"),
+        pytest.param("relations.all_equal", PROVED, "sec:1/same",
+                     "left = right with left = -2.4, right = -2.143 at ", id="unequal"),
+        pytest.param("relations.all_equal", AT_1_1, "sec:1/same",
+                     "left = right with left = 1, right = 1 at x = 1, y = 1: ", id="equal"),
+        pytest.param("judge.equivalent", AT_1_1, "eq:12",
+                     "left = right with left = 1, right = 1 at x = 1, y = 1: ",
+                     id="a printed condition"),
+        pytest.param("judge.instance", AT_1_1, "sec:1/angles",
+                     "left = right with left = 3, right = 3: ", id="printed angles"),
+    ],
+)  # fmt: skip
+def test_a_broken_engine_is_stopped_at_a_relation(
+    monkeypatch: pytest.MonkeyPatch, tiny_folder: Path, engine: str, answer: Any, claim: str,
+    message: str,
+) -> None:  # fmt: skip
+    monkeypatch.setattr(f"omniproof.audit.{engine}", lambda *_, **__: answer)
+    told = judged_wrongly(tiny_folder, claim)
+    assert told.startswith(f"direct evaluation contradicts broken on {message}")
+
+
+def judged_wrongly(folder: Path, claim: str) -> str:
+    context = run.prepare_to_judge(folder)
+    with pytest.raises(DisagreementError) as caught:
+        judge.judge_claim(context.claims[claim], context)
+    return str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("engine", "claim", "derived", "message"),
+    [
+        pytest.param("instance", "sec:1/angles", (tiny_paper.t, tiny_paper.t, sp.S.Zero),
+                     "left = right with left = 1, right = 3: ", id="angles of no parameter"),
+        pytest.param("equivalent", "eq:12", tiny_paper.x > 0,
+                     "left = right with left = 1, right = 0 at x = -12/5, y = -15/7: ",
+                     id="another condition"),
+    ],
+)  # fmt: skip
+def test_what_a_broken_engine_proves_is_held_against_print(
+    monkeypatch: pytest.MonkeyPatch, tiny_folder: Path, engine: str, claim: str, derived: Any,
+    message: str,
+) -> None:  # fmt: skip
+    relations = {**tiny_paper._relations(), claim: Relation(derived)}
+    monkeypatch.setattr(tiny_paper, "_relations", lambda: relations)
+    monkeypatch.setattr(judge, engine, lambda *_: PROVED)
+    told = judged_wrongly(tiny_folder, claim)
+    assert told.startswith(f"direct evaluation contradicts broken on {message}")
+
+
+@pytest.mark.parametrize(
+    ("answer", "at"),
+    [
+        pytest.param(PROVED, r"phi = \d+/\d+", id="proved, and false"),
+        pytest.param(Refuted(("broken",), Witness({"phi": "3/5"}, "", "")), "phi = 3/5",
+                     id="refuted, and true"),
+    ],
+)  # fmt: skip
+def test_a_printed_chain_is_evaluated_as_it_is_printed(
+    monkeypatch: pytest.MonkeyPatch, answer: Any, at: str
+) -> None:
+    monkeypatch.setattr(run, "load_registry", load_registry)
+    monkeypatch.setattr(run, "load_readings", load_readings)
+    monkeypatch.setattr(judge, "judge", lambda *_: answer)
+    told = judged_wrongly(Path("paper_data/two-roller-sphere"), "sec:3/speed-chain-roller-1")
+    assert re.match(f"direct evaluation contradicts broken on left < right with .* at {at}: ", told)
+
+
+@pytest.mark.parametrize(
+    ("value", "printed", "wrong", "message"),
+    [
+        pytest.param(sp.sqrt(2), "1.41", Rounding.WRONG, "rounded, 1.41 is not wrong, 1.41",
+                     id="right, and called wrong"),
+        pytest.param(sp.sqrt(3), "1.72", Rounding.ROUNDED, "off by one, 1.73 is not rounded, 1.73",
+                     id="wrong, and called right"),
+        pytest.param(sp.Integer(4), "4.1", Rounding.TIE, "off by one, 4.0 is not tie, 4.0",
+                     id="no tie"),
+    ],
+)  # fmt: skip
+def test_a_class_that_all_engines_have_wrong_is_stopped(
+    monkeypatch: pytest.MonkeyPatch, value: Any, printed: str, wrong: Rounding, message: str
+) -> None:
+    classify = confirm_decimals.classify
+    monkeypatch.setattr(
+        confirm_decimals, "classify", lambda *given: replace(classify(*given), rounding=wrong)
+    )
+    monkeypatch.setattr(confirm_decimals, "_confirmed", lambda finding, *_: finding)
+    with pytest.raises(DisagreementError, match=f"^direct evaluation contradicts.*{message}$"):
+        confirm_decimals.confirmed_class(value, printed)
 
 
 def test_a_witness_where_a_part_is_undefined_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:

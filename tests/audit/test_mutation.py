@@ -126,7 +126,7 @@ def over_time(text):
     """Give the digits of a text where `v` is a function of the time `t` that nobody knows."""
 
     def meaning(symbol, bound):
-        point = {TIME: digits.number(bound.get("t", mp.mpf(3) / 2))}
+        point = {TIME: bound.get("t", mp.mpf(3) / 2)}
         known = {"v": SPEED(TIME), "t": TIME, "w": sp.Integral(SPEED(TIME), (TIME, 0, TIME))}
         return digits.known_value(known[symbol.name], point, seed=1)
 

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from omniproof.formula.sympy_terms import Converter, UnsupportedError, positive_names, term_of
-from omniproof.formula.term import Call, Power, Symbol, root
+from omniproof.formula.term import Call, Power, Symbol, number, root
 
 x, y = sp.symbols("x y", real=True)
 r = sp.Symbol("r", positive=True)
@@ -69,3 +69,9 @@ def test_what_sympy_would_cancel_is_kept() -> None:
     kept = sp.Add(x, sp.Mul(-1, x, evaluate=False), evaluate=False)
     assert term_of(kept) != term_of(sp.Integer(0))
     assert Converter().expression(term_of(kept)) == 0
+
+
+def test_where_sympy_stumbles_nothing_is_evaluated() -> None:
+    """The arc sine of the sine of a number of hundreds of digits is an internal error of SymPy."""
+    term = Call("arcsin", (Call("sin", (number(10**400 - 1),)),))
+    assert isinstance(Converter().expression(term), sp.asin)

@@ -5,6 +5,8 @@ stretch between two multiples of half a unit the value lies, and reads the class
 the first compares the value with the bounds of each class. On such a multiple itself (an exact
 decimal, a tie) no interval decides, unless the value is a plain fraction: there the modular test
 says whether the value is that multiple. Who decided is named, as in `confirm`.
+
+Direct evaluation to 60 digits is asked, too, which may contradict, and is not named.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ from fractions import Fraction
 from math import ceil, floor, trunc
 
 import sympy as sp
+from mpmath import mp
 
 from omniproof.audit.answer import Undecided
 from omniproof.audit.decimals import (
@@ -24,6 +27,7 @@ from omniproof.audit.decimals import (
     format_fraction,
     read_decimal,
 )
+from omniproof.audit.digits import DIGITS, UndefinedError, are_equal, known_value
 from omniproof.audit.enclosure import enclose
 from omniproof.audit.zero_test import DisagreementError
 from omniproof.decide.prime_fields.zero import NonZero, Zero, vanishes
@@ -37,12 +41,35 @@ Steps = Fraction
 def confirmed_class(value: sp.Expr, printed: str) -> DecimalFinding | Undecided:
     """Classify as `classify` does, and name every engine that comes to the same class.
 
-    Raises `DisagreementError` when another engine comes to another class or another correction.
+    Raises `DisagreementError` when another engine, or direct evaluation, comes to another class or
+    another correction.
     """
     finding = classify(value, printed)
     if isinstance(finding, Undecided):
         return finding
     decimal = read_decimal(printed)
+    finding = _confirmed(finding, value, decimal)
+    _heard(finding, value, decimal)
+    return finding
+
+
+def _heard(finding: DecimalFinding, value: sp.Expr, decimal: Decimal) -> None:
+    """Ask direct evaluation, which says nothing of what it does not tell from a bound."""
+    try:
+        with mp.workdps(DIGITS):
+            halves = 2 * decimal.unit.denominator * known_value(value, {})
+            nearest, below = int(mp.nint(halves)), int(mp.floor(halves))
+            is_on_a_bound = are_equal(halves, mp.mpf(nearest))
+    except UndefinedError:
+        return
+    if is_on_a_bound and finding.rounding not in {Rounding.EXACT, Rounding.TIE}:
+        return
+    # All numbers between two bounds are of one class.
+    steps = Fraction(nearest, 2) if is_on_a_bound else Fraction(2 * below + 1, 4)
+    _agreed(finding, "direct evaluation", steps, value, decimal)
+
+
+def _confirmed(finding: DecimalFinding, value: sp.Expr, decimal: Decimal) -> DecimalFinding:
     ends = enclose(value)
     if ends is None:
         return finding

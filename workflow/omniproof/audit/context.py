@@ -34,8 +34,8 @@ from omniproof.transcription.tree import Chain, Name, Node, names
 class Context:
     """One paper under audit; `choices` are the readings of its conventions, once chosen.
 
-    Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim, and
-    `derived`, what claims are judged by, under each reading.
+    Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim,
+    `derived`, what claims are judged by, under each reading, and `domains`, where they are.
     """
 
     loaded: LoadedPaper
@@ -45,6 +45,7 @@ class Context:
     known: dict[str, Any] = field(default_factory=dict)
     lemmas: dict[str, Mapping[str, Any]] = field(default_factory=dict)
     derived: dict[tuple[str, tuple[str, ...]], Derived] = field(default_factory=dict)
+    domains: dict[str, Domain] = field(default_factory=dict)
 
     @cached_property
     def claims(self) -> dict[str, Claim]:
@@ -148,6 +149,11 @@ class Context:
 
         Raises `LatexError` for what has no value, `UnsupportedError` for an empty domain.
         """
+        if claim not in self.domains:
+            self.domains[claim] = self._domain(claim)
+        return self.domains[claim]
+
+    def _domain(self, claim: str) -> Domain:
         ranges = {symbol.name: ends for symbol, ends in self._ranges()}
         # An empty range would make every claim on it true.
         for name, (lower, upper) in ranges.items():

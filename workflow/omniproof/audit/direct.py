@@ -24,12 +24,12 @@ from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted, Un
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.digits import (
     DIGITS,
+    Found,
     NotEvaluatedError,
     UndefinedError,
     Value,
     are_equal,
     known_value,
-    number,
     value,
 )
 from omniproof.audit.sampling import sample_points
@@ -41,6 +41,8 @@ from omniproof.transcription import tree
 
 POINTS = 3
 """A false statement that an engine proves is hardly true at three points by chance."""
+IN_ORDER = 12
+"""A false order holds in regions, and fails in others."""
 TRIES, ALLOWED = 60, 12
 """So many points are looked at for them: arcsin x arcsin y is defined at one of nine. Where the
 domain has conditions, most of its points are."""
@@ -58,14 +60,11 @@ class Place(dict[Any, Any]):
 
     def __init__(self, numbers: Mapping[Any, Any]) -> None:
         super().__init__(numbers)
-        self.found: dict[tuple[object, int], Value] = {}
+        self.found: Found = {}
 
     def value(self, known: Any) -> Value:
         """Evaluate a SymPy expression or matrix; raises `UndefinedError` as `known_value` does."""
-        own = self.get(known)
-        if own is not None and own.is_Rational:
-            return mp.mpf(int(own.p)) / int(own.q)
-        return self.once(known, lambda: known_value(known, self))
+        return known_value(known, self, found=self.found)
 
     def once(self, key: object, evaluated: Callable[[], Value]) -> Value:
         """Return what is evaluated here, to the digits that are worked to, for a key."""
@@ -75,15 +74,15 @@ class Place(dict[Any, Any]):
 
 
 Side: TypeAlias = Callable[[Place], Value]
+Sides: TypeAlias = tuple[Side, str, Side]
+"""Two sides to evaluate at a point, and the sign between them."""
 
 
 @dataclass(frozen=True)
 class Statement:
-    """Two sides to evaluate at a point, and the sign between them; `digits` are what they take."""
+    """Links that hold together, wherever all their sides have values; `digits` they take."""
 
-    left: Side
-    operator: str
-    right: Side
+    links: tuple[Sides, ...]
     digits: int = DIGITS
 
     def holds(self, place: Place, expected: bool) -> bool:
@@ -99,22 +98,38 @@ class Statement:
         with mp.workdps(FURTHER * self.digits):
             return self._holds(place)
 
-    def _holds(self, place: Place) -> bool:
-        left, right = self.left(place), self.right(place)
-        if are_equal(left, right):
-            return self.operator in {"=", "\\leq", "\\geq"}
-        if self.operator in {"<", "\\leq"}:
-            return bool(left < right)
-        return bool(left > right) if self.operator in {">", "\\geq"} else self.operator == "\\neq"
+    @property
+    def points(self) -> int:
+        """How many points are looked at for one where it fails."""
+        return POINTS if all(sign == "=" for _, sign, _ in self.links) else IN_ORDER
 
-    def shown(self, place: Place) -> tuple[str, str]:
-        """Write both values, in as many digits as tell them apart."""
+    def _holds(self, place: Place) -> bool:
+        found = [_stands(link, place) for link in self.links]  # so that each has to have values
+        return all(found)
+
+    def shown(self, place: Place) -> tuple[str, str, str]:
+        """Write both values of the first link that fails, or of the first, and the sign between.
+
+        They have as many digits as tell them apart.
+        """
         with mp.workdps(self.digits):
-            values = self.left(place), self.right(place)
+            failing = (link for link in self.links if not _stands(link, place))
+            left, operator, right = next(failing, self.links[0])
+            values = left(place), right(place)
             pairs = ([_written(each, digits) for each in values] for digits in (4, 8, 16, 32))
             first, *others = pairs
-            left, right = next((pair for pair in (first, *others) if pair[0] != pair[1]), first)
-            return left, right
+            one, other = next((pair for pair in (first, *others) if pair[0] != pair[1]), first)
+            return one, operator, other
+
+
+def _stands(link: Sides, place: Place) -> bool:
+    """Whether two values are in order; equal are those that are not told apart."""
+    left, right = link[0](place), link[2](place)
+    if are_equal(left, right):
+        return link[1] in {"=", "\\leq", "\\geq"}
+    if link[1] in {"<", "\\leq"}:
+        return bool(left < right)
+    return bool(left > right) if link[1] in {">", "\\geq"} else link[1] == "\\neq"
 
 
 def heard(answer: Answer, statement: Statement, places: Callable[[], Iterable[Place]]) -> Answer:
@@ -149,7 +164,7 @@ def _where_it_should_hold(answer: Answer, statement: Statement, places: Iterable
         except UndefinedError:
             continue
         seen += 1
-        if seen == POINTS:
+        if seen == statement.points:
             break
     return answer if seen else Undecided(NOWHERE, answer.engines)
 
@@ -182,7 +197,7 @@ def _with_another_witness(
         try:
             if not statement.holds(place, expected=False):
                 point = {symbol.name: str(x) for symbol, x in place.items()}
-                witness = Witness(point, *statement.shown(place))
+                witness = Witness(point, *statement.shown(place)[::2])
                 return replace(answer, witness=witness)
             reason = "it was found to fail only where a printed part is not defined"
         except NotEvaluatedError:
@@ -193,11 +208,11 @@ def _with_another_witness(
 
 
 def _contradiction(answer: Answer, statement: Statement, place: Place) -> DisagreementError:
-    left, right = statement.shown(place)
+    left, operator, right = statement.shown(place)
     at = ", ".join(f"{symbol} = {x}" for symbol, x in place.items())
     where = f" at {at}" if at else ""
     engines = "+".join(answer.engines)
-    told = f"left {statement.operator} right with left = {left}, right = {right}"
+    told = f"left {operator} right with left = {left}, right = {right}"
     return DisagreementError(f"direct evaluation contradicts {engines} on {told}{where}: {answer}")
 
 
@@ -213,22 +228,35 @@ def exact_place(witness: Witness) -> dict[str, Any] | None:
 
 
 def _are_met(relations: Iterable[Any], place: Place) -> bool:
-    return all(_is_met(relation, place) for relation in relations)
-
-
-def _is_met(relation: Any, place: Place) -> bool:
-    """Whether a condition is certainly met; on its edge, a strict one and its opposite are not."""
-    if isinstance(relation, sp.And | sp.Or):
-        parts = (_is_met(part, place) for part in relation.args)
-        return all(parts) if isinstance(relation, sp.And) else any(parts)
-    if relation in (sp.true, sp.false):
-        return bool(relation)
     try:
-        left, right = (place.value(side) for side in relation.args)
+        return all(is_met(relation, place) for relation in relations)
     except UndefinedError:
         return False
-    greater = sp.Integer(left > right)  # compared with 1/2, it stands as left does to right
-    return not are_equal(left, right) and bool(relation.func(greater, sp.S.Half))
+
+
+def is_met(condition: Any, place: Place) -> bool:
+    """Whether a SymPy condition holds at a place; raises `UndefinedError` where a side has none."""
+    if isinstance(condition, sp.And | sp.Or):
+        parts = [is_met(part, place) for part in condition.args]
+        return all(parts) if isinstance(condition, sp.And) else any(parts)
+    if condition in (sp.true, sp.false):
+        return bool(condition)
+    left, right = map(known_side, condition.args)
+    return _stands((left, _SIGNS[condition.rel_op], right), place)
+
+
+_SIGNS = {"==": "=", "!=": "\\neq", "<=": "\\leq", ">=": "\\geq", "<": "<", ">": ">"}
+
+
+def is_true(node: tree.Node, side: Callable[[tree.Node], Side], place: Place) -> bool:
+    """Whether a printed condition holds at a place; `side` gives what evaluates its sides."""
+    match node:
+        case tree.Comparison():
+            return _stands((side(node.left), node.operator, side(node.right)), place)
+        case tree.Logic():
+            parts = [is_true(part, side, place) for part in node.operands]
+            return all(parts) if node.operator == "and" else any(parts)
+    raise NotEvaluatedError(f"{type(node).__name__} is no condition")
 
 
 def places(symbols: Iterable[Any], domain: Domain) -> Iterator[Place]:
@@ -236,6 +264,11 @@ def places(symbols: Iterable[Any], domain: Domain) -> Iterator[Place]:
     count = ALLOWED if domain.conditions else TRIES
     for sample in sample_points(symbols, domain, count=count, seed=SEED):
         yield Place({s: sp.Rational(int(x.p), int(x.q)) for s, x in sample.items()})
+
+
+def known_side(known: Any) -> Side:
+    """Return what evaluates a SymPy expression or matrix at a place."""
+    return lambda place: place.value(known)
 
 
 def printed_side(node: tree.Node, known: Callable[[tree.Symbolic], Any]) -> Side:
@@ -249,7 +282,7 @@ def printed_side(node: tree.Node, known: Callable[[tree.Symbolic], Any]) -> Side
         def meaning(symbol: tree.Symbolic, bound: Mapping[str, Value]) -> Value:
             if symbol.name in bound:
                 return bound[symbol.name]
-            moved = {known(tree.Name(name)): number(x) for name, x in bound.items()}
+            moved = {known(tree.Name(name)): x for name, x in bound.items()}
             return (Place({**place, **moved}) if moved else place).value(known(symbol))
 
         return value(node, meaning)
@@ -271,7 +304,7 @@ def heard_on(answer: Answer, part: Link, setting: Setting) -> Answer:
     """Ask direct evaluation about an answer on a link of a printed statement."""
     known = partial(evaluate, meanings=setting.meanings)
     left, right = (entry_of(printed_side(side, known), part.index) for side in part.printed)
-    statement = Statement(left, part.operator, right, max(map(_digits_of, part.printed)))
+    statement = Statement(((left, part.operator, right),), max(map(_digits_of, part.printed)))
     return heard(answer, statement, lambda: places(setting.meanings.values(), setting.domain))
 
 

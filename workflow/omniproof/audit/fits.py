@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from omniproof.audit.answer import Undecided
+from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
-from omniproof.audit.decimals import classify
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.ranges import Reading, show
 from omniproof.audit.rows import answered, start, with_note
@@ -84,7 +84,9 @@ class _Question:
         """Show a set-up that gives the other cells, and what it gives here."""
         used = self.fit.value.free_symbols
         point = "; ".join(f"{name}={x}" for name, x in self.fit.setup.items() if name in used)
-        finding = _sure(classify(self.fit.value.xreplace(dict(self.fit.setup)), self.own.printed))
+        finding = _sure(
+            confirmed_class(self.fit.value.xreplace(dict(self.fit.setup)), self.own.printed)
+        )
         mended = {
             "witness": f"{point}; printed={self.own.printed}; derived={finding.digits}",
             "correction": finding.correction,

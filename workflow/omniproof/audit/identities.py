@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sympy import Integral, MatrixBase
+from sympy import MatrixBase
 
 from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted
 from omniproof.audit.confirm import confirmed_equal
@@ -203,7 +203,6 @@ def _mend(cell: Cell, place: int, claim: str, context: Context, voice: Voice) ->
     found = mend(cell.text[begin:end], cell.derived, claim, context, cell.factor)
     if found is None:
         return None
-    if not cell.derived.has(Integral):
-        corrected = read_with(found.text, context.loaded.paper.notation, context.names)
-        voice.equal(Proved(("flint",)), corrected, (), cell.derived / cell.factor)
+    corrected = read_with(found.text, context.loaded.paper.notation, context.names)
+    voice.equal(Proved(("flint",)), corrected, (), cell.derived / cell.factor)
     return found.inside(cell.text[:begin], cell.text[end:])

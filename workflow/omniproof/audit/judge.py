@@ -18,6 +18,7 @@ from omniproof.audit.ledger import Origin, Repair, Row, Verdict
 from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sign_cases import equivalent
+from omniproof.audit.voice import Voice
 from omniproof.formula.evaluation import evaluate
 from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
 from omniproof.transcription.model import ID, Claim, Form, Kind, Reading
@@ -145,34 +146,42 @@ def _undecided(row: Row, reason: str) -> Row:
 
 def _judge_form(claim: Claim, relation: Relation, context: Context) -> Answer:
     assert claim.asserts is not None
-    form = claim.asserts.form
-    if form is Form.EQUIVALENT:
-        assumed = context.assumed(claim.id)
-        return equivalent(context.evaluate(claim.id), relation.subject, assumed)
-    if form is Form.INSTANCE:
-        angles, assumed = tuple(context.evaluate(claim.id)), context.assumed(claim.id)
-        return instance(angles, relation.subject, context.domain(claim.id), assumed)
+    form, subject, tree = claim.asserts.form, relation.subject, context.loaded.trees.get(claim.id)
+    if form in {Form.EQUIVALENT, Form.INSTANCE} or (isinstance(subject, Ordered) and tree):
+        return _judge_printed(claim, subject, context)
     at = tuple(_point(node, context) for node in context.loaded.points.get(claim.id, ()))
-    subject = _printed_order(claim, relation.subject, context)
-    if isinstance(subject, Undecided):
-        return subject
     obligation = Obligation(form, subject, at, claim.asserts.member)
     return judge(obligation, context.domain(claim.id))
 
 
-def _printed_order(claim: Claim, subject: Subject, context: Context) -> Subject:
-    """Put the printed terms of a chain in the place of the derived ones, on the same box."""
-    tree = context.loaded.trees.get(claim.id)
-    if not isinstance(subject, Ordered) or tree is None:
-        return subject
+def _judge_printed(claim: Claim, subject: Subject, context: Context) -> Answer:
+    """Judge what is printed itself, and ask direct evaluation of it."""
+    assert claim.asserts is not None
+    form, tree = claim.asserts.form, context.loaded.trees[claim.id]
+    voice, assumed = Voice(claim.id, context), context.assumed(claim.id)
+    if form is Form.EQUIVALENT:
+        answer = equivalent(context.evaluate(claim.id), subject, assumed)
+        return voice.equivalent(answer, tree, subject)
+    if form is Form.INSTANCE:
+        answer = instance(tuple(context.evaluate(claim.id)), subject, voice.domain, assumed)
+        return voice.instance(answer, tree, subject)
+    nodes = _ascending(tree)
+    if not nodes:
+        return Undecided("a chain is judged where it is printed with `<` alone, or with `>`")
+    # The printed terms take the place of the derived ones, on the same box.
+    terms = tuple(context.evaluate(claim.id, node) for node in nodes)
+    answer = judge(Obligation(form, replace(subject, terms=terms)), voice.domain)
+    return voice.ascending(answer, nodes, subject.box)
+
+
+def _ascending(tree: Node) -> list[Node]:
+    """Return the terms of a chain, the least first; none where its signs are not all alike."""
     links = [link for link in walk(tree) if isinstance(link, Comparison)]
     signs = {link.operator for link in links}
     if signs not in ({"<"}, {">"}):
-        return Undecided("a chain is judged where it is printed with `<` alone, or with `>`")
+        return []
     nodes = [links[0].left, *(link.right for link in links)]
-    terms = tuple(context.evaluate(claim.id, node) for node in nodes)
-    # The engine proves ascending order, so that a descending chain is turned round.
-    return replace(subject, terms=terms if signs == {"<"} else terms[::-1])
+    return nodes if signs == {"<"} else nodes[::-1]
 
 
 def _point(node: Node, context: Context) -> tuple[Expr, ...]:

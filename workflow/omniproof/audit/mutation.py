@@ -29,7 +29,6 @@ from omniproof.audit.digits import (
     Value,
     are_equal,
     known_value,
-    number,
     value,
 )
 from omniproof.audit.mending import mend
@@ -314,7 +313,7 @@ class _Judge:
     def meaning(self, seed: int, symbol: Symbolic, bound: Bound) -> Value:
         try:
             known = self.known(symbol)
-            moved = {self.known(Name(name)): number(x) for name, x in bound.items()}
+            moved = {self.known(Name(name)): x for name, x in bound.items()}
         except LatexError:
             raise NotEvaluatedError(f"{symbol.name} has no meaning") from None
         return _known_value(known, seed, moved)

@@ -6,17 +6,19 @@ for branch and bound.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
 from sympy import Expr, Integer, latex
 
-from omniproof.audit import ordering
+from omniproof.audit import direct, ordering
 from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.confirm import confirmed_equal
+from omniproof.audit.direct import Place, Statement, known_side, places
 from omniproof.audit.hypotheses import closed_ends, sign_under, with_box, within
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
@@ -27,11 +29,14 @@ ENGINES = {"flint": 0, "modular": 1, "z3": 2}
 Closed = Mapping[Any, tuple[bool, bool]]
 """Whether lower and upper end belong to the range of a symbol."""
 _SIGNS = {Form.NEGATIVE: -1, Form.POSITIVE: 1}
-_WRONG = {Form.POSITIVE: "<=", Form.NEGATIVE: ">=", Form.INCREASING: "<=", Form.DECREASING: ">="}
-"""What a value, or a difference of neighbours, is where the form does not hold."""
-_EXTREMA = {Form.MINIMUM: "<=", Form.MAXIMUM: ">="}
-_EXTREME = {Form.LARGEST: "<=", Form.SMALLEST: ">="}
-"""What the difference from the best value is where something else is as good."""
+_ORDER = {Form.POSITIVE: ">", Form.NEGATIVE: "<", Form.INCREASING: ">", Form.DECREASING: "<"}
+"""How a value stands to 0, or the next value to one."""
+_EXTREMA = {Form.MINIMUM: ">", Form.MAXIMUM: "<"}
+"""How all other values stand to the best."""
+_EXTREME = {Form.LARGEST: ">", Form.SMALLEST: "<"}
+"""How the best value stands to all others."""
+_FAILS = {">": "<=", "<": ">=", "\\leq": ">"}
+"""What the difference is to 0 where a link does not hold."""
 
 
 def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
@@ -40,18 +45,39 @@ def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
     Outside of the domain, nothing is asked. A condition between symbols that the form has no use
     for may be what makes it true: what is not proved without it is undecided.
     Raises nothing for any subject: a form that cannot be judged on it is undecided.
+    Raises `DisagreementError` when engines, or direct evaluation, contradict each other.
     """
     form, subject = obligation.form, obligation.subject
     if isinstance(subject, Sequence) and form is Form.EQUAL:
-        return all_equal(tuple(subject), domain)
+        return _heard(all_equal(tuple(subject), domain), obligation, domain)
     try:
         if isinstance(subject, Curve | Family | Ordered) and domain != REALS:
             box = within(subject.box, domain)
             obligation = replace(obligation, subject=replace(subject, box=box))
     except UnsupportedError as reason:
         return Undecided(str(reason))
-    answer = _judge_under(obligation, domain)
-    return _confirmed(answer, obligation, domain)
+    answer = _confirmed(_judge_under(obligation, domain), obligation, domain)
+    return _heard(answer, obligation, domain)
+
+
+def _heard(answer: Answer, obligation: Obligation, domain: Domain) -> Answer:
+    """Ask direct evaluation; what is false because a value is undefined stays so."""
+    links = () if isinstance(answer, Undecided) else tuple(_links(obligation))
+    if not links:
+        return answer
+    statement = Statement(tuple((known_side(a), sign, known_side(b)) for a, sign, b in links))
+    symbols = {symbol for a, _, b in links for symbol in a.free_symbols | b.free_symbols}
+    heard = direct.heard(answer, statement, partial(_places, symbols, obligation, domain))
+    return answer if isinstance(answer, Refuted) else heard
+
+
+def _places(symbols: Iterable[Any], obligation: Obligation, domain: Domain) -> Iterator[Place]:
+    """Yield points of the domain; the extreme value itself is no better than it is."""
+    box = getattr(obligation.subject, "box", {})
+    extreme = [dict(zip(box, point, strict=True)) for point in obligation.at]
+    for place in places({*symbols, *box}, with_box(domain, box)):
+        if not any(point.items() <= place.items() for point in extreme):
+            yield place
 
 
 def _judge_under(obligation: Obligation, domain: Domain) -> Answer:
@@ -91,33 +117,40 @@ def _confirmed(answer: Answer, obligation: Obligation, domain: Domain) -> Answer
 
 def _failures(obligation: Obligation) -> Iterator[tuple[Any, str]]:
     """Yield signs of formulas of which each alone, at one point, refutes a statement on order."""
-    form, subject = obligation.form, obligation.subject
+    return ((left - right, _FAILS[sign]) for left, sign, right in _links(obligation))
+
+
+def _links(obligation: Obligation) -> Iterator[tuple[Any, str, Any]]:
+    """Yield values and the sign between them; all of these at all points are the statement."""
+    form, subject, zero = obligation.form, obligation.subject, Integer(0)
     match subject:
-        case Family(expression=value):
-            yield from _failures_of_family(form, value, obligation)
+        case Family():
+            yield from _links_of_family(form, subject, obligation.at)
         case Ordered(terms=terms):
-            yield from ((right - left, "<=") for left, right in pairwise(terms))
+            yield from ((right, ">", left) for left, right in pairwise(terms))
         case Mapping() if form in _EXTREME:
             best = subject[str(obligation.member)]
             others = (value for name, value in subject.items() if name != obligation.member)
-            yield from ((best - other, _EXTREME[form]) for other in others)
+            yield from ((best, _EXTREME[form], other) for other in others)
+        case Sequence() if form is Form.EQUAL:
+            yield from ((subject[0], "=", value) for value in subject[1:])
         case Sequence() if form in _SIGNS:
-            yield from ((value, _WRONG[form]) for value in subject)
-        case Sequence() if form in _WRONG:
-            yield from ((right - left, _WRONG[form]) for left, right in pairwise(subject))
+            yield from ((value, _ORDER[form], zero) for value in subject)
+        case Sequence() if form in _ORDER:
+            yield from ((right, _ORDER[form], left) for left, right in pairwise(subject))
 
 
-def _failures_of_family(
-    form: Form, value: Any, obligation: Obligation
-) -> Iterator[tuple[Any, str]]:
-    symbols = tuple(obligation.subject.box)
+def _links_of_family(
+    form: Form, family: Family, at: Sequence[tuple[Expr, ...]]
+) -> Iterator[tuple[Any, str, Any]]:
+    value, symbols = family.expression, tuple(family.box)
     if form in _EXTREMA:
-        best = value.subs(dict(zip(symbols, obligation.at[0], strict=True)))
-        yield value - best, _EXTREMA[form]
+        best = value.subs(dict(zip(symbols, at[0], strict=True)))
+        yield value, _EXTREMA[form], best
     elif form is Form.CONCAVE:
-        yield value.diff(symbols[0], 2), ">"
+        yield value.diff(symbols[0], 2), "\\leq", Integer(0)
     elif form in _SIGNS:
-        yield value, _WRONG[form]
+        yield value, _ORDER[form], Integer(0)
 
 
 def _judge(obligation: Obligation, domain: Domain = REALS) -> Answer:

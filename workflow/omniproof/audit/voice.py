@@ -2,44 +2,93 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cache, lru_cache
-from itertools import islice
-from typing import Any
+from itertools import islice, pairwise, product
+from typing import Any, TypeAlias
 
+from mpmath import mp
 from sympy import Integral
 
-from omniproof.audit.answer import Answer
+from omniproof.audit.answer import Answer, Refuted, Witness
 from omniproof.audit.context import Context
-from omniproof.audit.direct import Place, Statement, entry_of, heard, places, printed_side
+from omniproof.audit.digits import DIGITS, Value, are_equal, known_value
+from omniproof.audit.direct import (
+    Place,
+    Statement,
+    entry_of,
+    heard,
+    is_met,
+    is_true,
+    known_side,
+    places,
+    printed_side,
+)
+from omniproof.audit.hypotheses import with_box
 from omniproof.formula.evaluation import Function, evaluate
-from omniproof.transcription.tree import Node
+from omniproof.transcription.tree import Node, children
 
 MOST_PLACES = 12
 """Enough for three that count: papers print what is defined almost everywhere."""
-ONE = 1
-"""At each, an integral of integrals takes a second."""
+IN_INTEGRALS = 1, 30
+"""Of integrals in integrals, so many places and digits take a tenth of a second."""
+MOST_TURNS = 12
+"""A member of a family that goes round up to so many times while another goes round once."""
+Box: TypeAlias = Mapping[Any, tuple[Any, Any]]
 
 
 class Voice:
-    """Evaluates the printed parts of one claim, at points of its domain."""
+    """Evaluates the printed parts of one claim, at points of its domain; raises as `heard` does."""
 
     def __init__(self, claim: str, context: Context) -> None:
-        self.claim, self.context = claim, context
+        self.claim, self.context, self.domain = claim, context, context.domain(claim)
         known = cache(lambda node: evaluate(node, context.meanings_at(claim, node)))
         self.side = cache(lambda node: printed_side(node, known))
 
     def equal(self, answer: Answer, printed: Node, index: tuple[int, ...], derived: Any) -> Answer:
-        """Ask about an answer on a printed side and what it should be; raises as `heard` does.
+        """Ask about an answer on a printed side and what it should be.
 
         Of a matrix, about the entry at a printed index, which counts from 1.
         """
         row, column = (*index, 1, 1)[:2]
         side = entry_of(self.side(printed), (row - 1, column - 1))
         symbols = self._symbols(printed).union(derived.free_symbols)
-        statement = Statement(side, "=", lambda place: place.value(derived))
-        most = ONE if derived.has(Integral) else MOST_PLACES
+        most, digits = IN_INTEGRALS if derived.has(Integral) else (MOST_PLACES, DIGITS)
+        statement = Statement(((side, "=", known_side(derived)),), digits)
         return heard(answer, statement, lambda: islice(self._places(symbols), most))
+
+    def ascending(self, answer: Answer, printed: Sequence[Node], box: Box) -> Answer:
+        """Ask about an answer on printed terms of which each is less than the next on a box."""
+        links = tuple((one, "<", next_) for one, next_ in pairwise(map(self.side, printed)))
+        symbols = box.keys() | frozenset().union(*map(self._symbols, printed))
+        domain = with_box(self.domain, box)
+        return heard(answer, Statement(links), lambda: places(symbols, domain))
+
+    def equivalent(self, answer: Answer, printed: Node, derived: Any) -> Answer:
+        """Ask about an answer on a printed condition and the one that it should be."""
+        truth = Statement(((
+            lambda place: mp.mpf(is_true(printed, self.side, place)),
+            "=",
+            lambda place: mp.mpf(is_met(derived, place)),
+        ),))  # fmt: skip
+        symbols = self._symbols(printed) | derived.free_symbols
+        return heard(answer, truth, lambda: places(symbols, self.domain))
+
+    def instance(self, answer: Answer, printed: Node, family: Sequence[Any]) -> Answer:
+        """Ask whether printed angles are those of one parameter; what is assumed of it is not."""
+        sides = [self.side(node) for node in children(printed)]
+        statement = Statement(((
+            lambda place: mp.mpf(_most_in_common([side(place) for side in sides], family)),
+            "=",
+            lambda _: mp.mpf(max(len(sides), len(family))),
+        ),))  # fmt: skip
+        if isinstance(answer, Refuted):
+            if not answer.note:
+                # Its witness is the angles themselves: no point of a domain.
+                heard(replace(answer, witness=Witness({}, "", "")), statement, lambda: [Place({})])
+            return answer
+        return heard(answer, statement, lambda: [Place({})])
 
     def _symbols(self, printed: Node) -> frozenset[Any]:
         """Collect what the printed symbols are expressions in."""
@@ -49,13 +98,12 @@ class Voice:
 
     def _places(self, symbols: frozenset[Any]) -> Iterator[Place]:
         """Yield points; claims on one domain share them, and what has been evaluated there."""
-        domain = self.context.domain(self.claim)
-        shared = _shared_places(self.context, repr(domain), self.claim)
+        shared = _shared_places(self.context, repr(self.domain), self.claim)
         others = symbols - self.context.variables
         if not others:
             yield from shared
             return
-        for place, more in zip(shared, places(others, domain), strict=False):
+        for place, more in zip(shared, places(others, self.domain), strict=False):
             yield Place({**place, **more})
 
 
@@ -63,3 +111,23 @@ class Voice:
 def _shared_places(context: Context, _domain: str, claim: str) -> list[Place]:
     found = places(context.variables, context.domain(claim))
     return list(islice(found, MOST_PLACES))
+
+
+def _most_in_common(angles: Sequence[Value], family: Sequence[Any]) -> int:
+    """Count the angles, but for full turns, that a family of angles has for its best parameter."""
+    (parameter,) = set().union(*(member.free_symbols for member in family))
+
+    def at(number: Value) -> list[Value]:
+        return [known_value(member, {parameter: number}) for member in family]
+
+    best = 0
+    for start, end in zip(at(mp.mpf(0)), at(mp.mpf(1)), strict=True):
+        if are_equal(start, end):
+            continue
+        for angle, turn in product(angles, range(MOST_TURNS)):
+            left = at((angle - start + 2 * mp.pi * turn) / (end - start))
+            for one in angles:
+                left = next((left[:k] + left[k + 1 :] for k, other in enumerate(left)
+                             if are_equal(mp.sin((one - other) / 2), mp.mpf(0))), left)  # fmt: skip
+            best = max(best, len(family) - len(left))
+    return best

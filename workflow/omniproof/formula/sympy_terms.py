@@ -203,7 +203,11 @@ def _applied(function: str, *arguments: Any) -> Any:
     SymPy tells the signs of most functions from two digits: an arc cosine near 0 is 0 for it, and a
     cotangent near a pole may be on the wrong side. Sine, cosine and arc sine are told to the end.
     """
-    value = SYMPY_FUNCTIONS.get(function, sp.Function(function))(*arguments)
+    apply = SYMPY_FUNCTIONS.get(function, sp.Function(function))
+    try:
+        value = apply(*arguments)
+    except (TypeError, AttributeError):  # it cannot order numbers of hundreds of digits
+        return apply(*arguments, evaluate=False)
     if any(argument.free_symbols for argument in arguments):
         return value
     if isinstance(value, sp.acos) and value.is_zero:
