@@ -9,10 +9,7 @@ import sympy as sp
 
 from omniproof.decide import balls
 from omniproof.decide.balls import Ball, Program
-from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
-
-__all__ = ["UnsupportedError", "compile_balls", "evaluate", "exact_number"]
 
 
 def exact_number(number: Any) -> sp.Expr:

@@ -21,7 +21,6 @@ import sympy as sp
 from mpmath import mp
 
 from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted, Undecided, Witness
-from omniproof.audit.balls import UnsupportedError
 from omniproof.audit.digits import (
     DIGITS,
     Found,
@@ -36,6 +35,7 @@ from omniproof.audit.sampling import sample_points
 from omniproof.audit.setting import Setting
 from omniproof.audit.statement import Link
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree
 
