@@ -208,7 +208,7 @@ def _applied(function: str, *arguments: Any) -> Any:
     value = FUNCTIONS.get(function, sp.Function(function))(*arguments)
     if any(argument.free_symbols for argument in arguments):
         return value
-    if isinstance(value, sp.acos) and value.is_zero:
+    if isinstance(value, sp.acos):  # not even whether it is 0 is asked: the answer varies
         return sp.pi / 2 - sp.asin(*arguments)
     if function in _QUOTIENTS and value.has(FUNCTIONS[function]):
         above, below = _QUOTIENTS[function]
