@@ -75,6 +75,7 @@ def test_a_broken_engine_stops_an_audit(
         run.audit_paper(tiny_folder)
 
 
+AT_36_DEGREES = Witness({"phi": "pi/5"}, "", "", exact={"phi": sp.pi / 5})
 AT_1_1 = Refuted(("broken",), Witness({"x": "1", "y": "1"}, "", ""))
 
 
@@ -141,6 +142,7 @@ def test_what_a_broken_engine_proves_is_held_against_print(
         pytest.param(PROVED, r"phi = \d+/\d+", id="proved, and false"),
         pytest.param(Refuted(("broken",), Witness({"phi": "3/5"}, "", "")), "phi = 3/5",
                      id="refuted, and true"),
+        pytest.param(Refuted(("broken",), AT_36_DEGREES), "phi = pi/5", id="at no rational number"),
     ],
 )  # fmt: skip
 def test_a_printed_chain_is_evaluated_as_it_is_printed(

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.exact import subtract
 from omniproof.audit.intervals import Piece, condition_latex, in_degrees
 from omniproof.audit.quotient import OnBox, Quotient
@@ -71,7 +71,7 @@ def _counterexample(function: Quotient, otherwise: Undecided) -> Answer:
     wrong = function.find(function.value, -1)
     if wrong is None:
         return otherwise
-    witness = Witness(function.name(wrong), "> 0", function.digits(wrong))
+    witness = function.witness(wrong, "> 0", function.digits(wrong))
     return Refuted(ENGINE, witness, otherwise.reason)
 
 

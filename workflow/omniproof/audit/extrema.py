@@ -14,7 +14,7 @@ from typing import Any, assert_never
 
 import sympy as sp
 
-from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
+from omniproof.audit.answer import Answer, Proved, Refuted, Undecided
 from omniproof.audit.balls import exact_number
 from omniproof.audit.box import Box
 from omniproof.audit.exact import subtract, vanishes
@@ -61,10 +61,10 @@ def _extremum(family: Family, candidates: Points, direction: int, closed: Closed
     for point in candidates:
         value = function.at(point)
         if not function.box.contains(point, ends):
-            witness = Witness(function.name(point), digits(value), "undefined")
+            witness = function.witness(point, digits(value), "undefined")
             return Refuted(ENGINE, witness, "the point is not inside of the box")
         if not vanishes(subtract(value, best)):
-            witness = Witness(function.name(point), digits(best), digits(value))
+            witness = function.witness(point, digits(best), digits(value))
             return Refuted(ENGINE, witness, "the points do not have the same value")
     better = function.find(subtract(function.value, best), -direction)
     if better is not None:
@@ -118,7 +118,7 @@ def _worse(lead: OnBox) -> Answer:
 
 
 def _refuted(function: Quotient, point: tuple[Any, ...], best: sp.Expr) -> Refuted:
-    return Refuted(ENGINE, Witness(function.name(point), digits(best), function.digits(point)))
+    return Refuted(ENGINE, function.witness(point, digits(best), function.digits(point)))
 
 
 def _not_proved(
@@ -134,6 +134,6 @@ def _not_proved(
             if point in candidates:
                 continue
             if function.box.contains(point, ends) and vanishes(subtract(function.at(point), best)):
-                witness = Witness(function.name(point), digits(best), digits(best))
+                witness = function.witness(point, digits(best), digits(best))
                 return Refuted(ENGINE, witness, "the same value is attained there")
     return Undecided(f"no proof that it is the extremum: {stuck.reason}", ENGINE)

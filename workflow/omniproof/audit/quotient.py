@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import sympy as sp
 from flint import fmpq
 
-from omniproof.audit.answer import Domain
+from omniproof.audit.answer import Domain, Witness
 from omniproof.audit.balls import compile_balls, evaluate, exact_number
 from omniproof.audit.box import Box
 from omniproof.audit.exact import vanishes
@@ -83,9 +83,12 @@ class Quotient:
         place = dict(zip(self.box.symbols, point, strict=True))
         return vanishes(self.denominator.subs(place))
 
-    def name(self, point: tuple[Any, ...]) -> dict[str, str]:
-        """Write a point for a witness."""
-        return {s.name: str(x) for s, x in zip(self.box.symbols, point, strict=True)}
+    def witness(self, point: tuple[Any, ...], printed: str, derived: str) -> Witness:
+        """Show a rational or exact point, with what is said of it."""
+        place = {s.name: x for s, x in zip(self.box.symbols, point, strict=True)}
+        exact = {name: x for name, x in place.items() if isinstance(x, sp.Basic)}
+        names = {name: str(x) for name, x in place.items()}
+        return Witness(names, printed, derived, exact=exact)
 
     def digits(self, point: tuple[Any, ...]) -> str:
         """Write the value at a rational or exact point, to six significant digits."""

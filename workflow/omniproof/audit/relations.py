@@ -68,7 +68,7 @@ def _heard(answer: Answer, obligation: Obligation, domain: Domain) -> Answer:
     statement = Statement(tuple((known_side(a), sign, known_side(b)) for a, sign, b in links))
     symbols = {symbol for a, _, b in links for symbol in a.free_symbols | b.free_symbols}
     heard = direct.heard(answer, statement, partial(_places, symbols, obligation, domain))
-    return answer if isinstance(answer, Refuted) else heard
+    return heard if isinstance(answer, Proved) else answer
 
 
 def _places(symbols: Iterable[Any], obligation: Obligation, domain: Domain) -> Iterator[Place]:

@@ -129,7 +129,7 @@ def denominator_sign(function: Quotient) -> int:
 def _sign_of(function: Quotient, wanted: int, zero: bool) -> Answer:
     wrong = function.find(function.value, -wanted)
     if wrong is not None:
-        witness = Witness(function.name(wrong), CLAIM[wanted], function.digits(wrong))
+        witness = function.witness(wrong, CLAIM[wanted], function.digits(wrong))
         return Refuted(ENGINE, witness)
     total = 1
     zeros: list[Zero] = []
@@ -209,7 +209,7 @@ def _but_at(zeros: list[Zero], function: Quotient, wanted: int) -> OnBranch:
     texts = [" \\text{ or } ".join(map(sp.latex, unequal)) for unequal in apart]
     condition = " \\text{ and } ".join(f"({text})" if len(texts) > 1 else text for text in texts)
     relations = tuple(sp.Or(*unequal) for unequal in apart)
-    witness = Witness(function.name(point), CLAIM[wanted], "0")
+    witness = function.witness(point, CLAIM[wanted], "0")
     return OnBranch(ENGINE, condition, witness, relations=relations)
 
 
@@ -224,7 +224,7 @@ def _sign_on_line(function: Quotient, wanted: int, zero: bool, closed: tuple[boo
     if not wrong:
         return Proved(ENGINE)
     shown = "0" if wrong[0] in holes else function.digits(wrong)
-    witness = Witness(function.name(wrong), CLAIM[wanted], shown)
+    witness = function.witness(wrong, CLAIM[wanted], shown)
     pieces = _pieces_with_zeros(chart, wanted, allowed)
     return _on_pieces(function.asked[0], _with_ends(pieces, good), witness)
 
@@ -268,7 +268,7 @@ def _concave(family: Family) -> Answer:
         return Proved(ENGINE)
     point = wrong or (pieces[0].upper,)
     shown = curvature.digits(point) if wrong else "undefined"
-    witness = Witness(function.name(point), "second derivative <= 0", shown)
+    witness = function.witness(point, "second derivative <= 0", shown)
     return _on_pieces(function.asked[0], pieces, witness)
 
 

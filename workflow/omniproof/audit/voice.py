@@ -9,7 +9,7 @@ from itertools import islice, pairwise, product
 from typing import Any, TypeAlias
 
 from mpmath import mp
-from sympy import Integral
+from sympy import Integral, ilcm
 
 from omniproof.audit.answer import Answer, Refuted, Witness
 from omniproof.audit.context import Context
@@ -33,8 +33,6 @@ MOST_PLACES = 12
 """Enough for three that count: papers print what is defined almost everywhere."""
 IN_INTEGRALS = 1, 30
 """Of integrals in integrals, so many places and digits take a tenth of a second."""
-MOST_TURNS = 12
-"""A member of a family that goes round up to so many times while another goes round once."""
 Box: TypeAlias = Mapping[Any, tuple[Any, Any]]
 
 
@@ -60,10 +58,10 @@ class Voice:
 
     def ascending(self, answer: Answer, printed: Sequence[Node], box: Box) -> Answer:
         """Ask about an answer on printed terms of which each is less than the next on a box."""
-        links = tuple((one, "<", next_) for one, next_ in pairwise(map(self.side, printed)))
+        links = tuple((less, "<", more) for less, more in pairwise(map(self.side, printed)))
         symbols = box.keys() | frozenset().union(*map(self._symbols, printed))
-        domain = with_box(self.domain, box)
-        return heard(answer, Statement(links), lambda: places(symbols, domain))
+        statement = Statement(links)
+        return heard(answer, statement, lambda: places(symbols, with_box(self.domain, box)))
 
     def equivalent(self, answer: Answer, printed: Node, derived: Any) -> Answer:
         """Ask about an answer on a printed condition and the one that it should be."""
@@ -116,15 +114,15 @@ def _shared_places(context: Context, _domain: str, claim: str) -> list[Place]:
 def _most_in_common(angles: Sequence[Value], family: Sequence[Any]) -> int:
     """Count the angles, but for full turns, that a family of angles has for its best parameter."""
     (parameter,) = set().union(*(member.free_symbols for member in family))
+    turns = int(ilcm(1, *(member.coeff(parameter).q for member in family)))
 
     def at(number: Value) -> list[Value]:
         return [known_value(member, {parameter: number}) for member in family]
 
     best = 0
     for start, end in zip(at(mp.mpf(0)), at(mp.mpf(1)), strict=True):
-        if are_equal(start, end):
-            continue
-        for angle, turn in product(angles, range(MOST_TURNS)):
+        # In a period of the family, a member goes round so often; one without parameter does not.
+        for angle, turn in product(angles, range(int(mp.nint(turns * abs(end - start))))):
             left = at((angle - start + 2 * mp.pi * turn) / (end - start))
             for one in angles:
                 left = next((left[:k] + left[k + 1 :] for k, other in enumerate(left)
