@@ -14,12 +14,12 @@ from typing import Any
 
 from sympy import Expr, MatrixBase
 
-from omniproof.audit.answer import Proved
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, flat
 from omniproof.audit.ledger import Ledger, Row, Verdict
 from omniproof.corrected import ANSWERS, FUNCTIONS
 from omniproof.corrected.answer import Answer, Line
+from omniproof.decide.answer import Proved
 from omniproof.formula.errors import UnsupportedError
 from omniproof.report.changes import changes
 from omniproof.report.groups import Group, groups, matrix_of
