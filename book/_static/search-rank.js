@@ -5,7 +5,7 @@
 window.RANK = (() => {
   const { words, asked, place, number } = window.WORDS;
   // What a correction changes is what a claim is about; then what stands left of the sign "=".
-  const WEIGHTS = { title: 3, changed: 4, subject: 3, printed: 2, correct: 2, note: 2, symbols: 1, paper: 1 };
+  const WEIGHTS = { title: 3, changed: 4, subject: 3, printed: 2, correct: 2, note: 2, about: 5, symbols: 1, paper: 1 };
   const SATURATION = 1.2, LENGTH = 0.6, PREFIX = 0.6;
   const PHRASE = 1.5, ABOUT = 1.5, ALL = 2.5; // the words stand together; are what is wrong; are all of a field
   const REACH = { motion: 1.8, number: 1.6, text: 1.15 };
@@ -39,18 +39,31 @@ window.RANK = (() => {
     return { ...r, kind: "claim", paper: paper.key, address: `${paper.key}.html#${anchor(r.id)}`, fields };
   };
 
-  const whole = (paper, [id, title, verdict, text]) => ({
-    kind: "whole", paper: paper.key, id, place: title, verdict, follows: "", note: text,
-    address: `${paper.key}.html#${anchor(id)}`, fields: { title: words(title), paper: words(paper.key.replaceAll("-", " ")) },
+  const whole = (paper, [id, place, verdict, rows, title, why]) => ({
+    kind: "whole", paper: paper.key, id, place: title ? `${place}: ${title}` : place, verdict, follows: "", note: why || rows,
+    address: `${paper.key}.html#${anchor(id)}`,
+    fields: { title: words(place), about: words(title), note: words(why), paper: words(paper.key.replaceAll("-", " ")) },
   });
 
+  // An equation reaches as far as its gravest part; one of a single row is one place, and has the words of both.
+  const joined = (wholes, rows) =>
+    wholes.filter((whole) => {
+      const parts = rows.filter((row) => row.id.split(/[/[]/)[0] === whole.id);
+      whole.reach = Object.keys(REACH).find((reach) => parts.some((row) => row.reach === reach && !row.follows));
+      const same = parts.find((row) => row.id === whole.id);
+      if (same) same.fields.about = [...whole.fields.about, ...whole.fields.note];
+      return !same;
+    });
+
   const other = ([kind, address, title, text]) => ({
-    kind, address, id: "", place: title, note: text, follows: "", fields: { title: words(title), note: words(text) },
+    kind, address, id: "", place: title, note: text, follows: "", fields: { title: words(`${kind} ${title}`), note: words(text) },
   });
 
   const gather = ({ columns, papers }, places) => [
-    ...papers.flatMap((paper) => paper.wholes.map((each) => whole(paper, each))),
-    ...papers.flatMap((paper) => paper.rows.map((row) => claim(paper, columns, row))),
+    ...papers.flatMap((paper) => {
+      const rows = paper.rows.map((row) => claim(paper, columns, row));
+      return [...joined(paper.wholes.map((each) => whole(paper, each)), rows), ...rows];
+    }),
     ...places.map(other),
   ];
 

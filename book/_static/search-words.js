@@ -30,7 +30,7 @@ window.WORDS = (() => {
     s = s.replace(/\\(dot|hat|tilde|bar)\s*\{?\\?([A-Za-z]+)\}?/g, " $2_$1").replace(/([_^])\{([^{}]*)\}/g, "$1$2");
     s = s.replace(SUBSCRIPT, (found) => "_" + found.normalize("NFKC"));
     s = s.normalize("NFD").replace(/[\u0302-\u0304\u0307]/g, (mark) => "_" + MARKS[mark]);
-    s = s.replace(/⁻¹|[√∫∑×°²]/g, (sign) => ` ${SIGNS[sign]} `).replace(/./gu, (c) => (GREEK[c] ? ` ${GREEK[c]}` : c));
+    s = s.replace(/(sin|cos|tan)⁻¹/g, " arc$1 ").replace(/⁻¹|[√∫∑×°²]/g, (sign) => ` ${SIGNS[sign]} `).replace(/./gu, (c) => (GREEK[c] ? ` ${GREEK[c]}` : c));
     s = s.toLowerCase().replace(/pseudo-?(?=inverse)/g, "pseudo ").replace(new RegExp(`\\b(${NAMES})(?=[a-z0-9])`, "g"), "$1 ");
     return s.replace(/[\\{}$]/g, " ");
   };

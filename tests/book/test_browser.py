@@ -35,16 +35,6 @@ FULL_OF_FORMULAS = "omni-arrangement.html"
 PRINTED = ("index.html", FULL_OF_FORMULAS)
 
 
-@pytest.fixture(params=["http", "file"])
-def root(request: pytest.FixtureRequest, report: Path) -> Iterator[str]:
-    """Give the address of the report, with a slash at its end."""
-    if request.param == "file":
-        yield f"{report.as_uri()}/"
-    else:
-        with served(report) as address:
-            yield address
-
-
 @pytest.fixture(scope="module")
 def address(report: Path) -> Iterator[str]:
     with served(report) as address:

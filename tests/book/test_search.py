@@ -56,6 +56,7 @@ def hits(page: Page, question: str) -> list[str]:
         pytest.param("Table 4", "omni-trajectory.html#tab-4", id="a table"),
         pytest.param("A.2", "omni-arrangement.html#eq-A-2", id="an equation of an appendix"),
         pytest.param("ballbot eq 7", "ballbot.html#", id="a place in a paper"),
+        pytest.param("inverse", "omni-arrangement.html#eq-6", id="what an equation is called"),
         pytest.param("det A", "omni-arrangement.html#eq-7", id="what a formula is of"),
         pytest.param("cosine", "ballbot.html#sec-3-motion-by-frames", id="a cosine is missing"),
         pytest.param("radius of the circle", "omni-trajectory.html#eq-13", id="words of ours"),

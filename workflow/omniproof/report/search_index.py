@@ -16,10 +16,12 @@ from pathlib import Path
 from pydantic import TypeAdapter
 
 from omniproof.audit.ledger import Ledger, Row, Verdict
+from omniproof.audit.places import where
+from omniproof.corrected import ANSWERS
 from omniproof.report.findings import GRAVITY
 from omniproof.report.latexfmt import plain
 from omniproof.report.theme import MARKS
-from omniproof.transcription.ids import base
+from omniproof.transcription.ids import whole
 from omniproof.transcription.model import Symbol
 from omniproof.transcription.paperfile import load_document
 
@@ -71,23 +73,25 @@ def _paper(ledger: Ledger, folder: Path) -> dict[str, object]:
         "key": ledger.paper,
         "symbols": [symbol.means for symbol in known],
         "notes": shared,
-        "wholes": [*_wholes(ledger.rows)],
+        "wholes": [*_wholes(ledger)],
         "rows": [_row(row, symbols, shared) for row in ledger.rows],
     }
 
 
-def _wholes(rows: Sequence[Row]) -> Iterator[tuple[str, str, Verdict, str]]:
-    """Yield matrices and tables: id, place, gravest verdict, and how many rows have which."""
+def _wholes(ledger: Ledger) -> Iterator[tuple[str, str, Verdict, str, str, str]]:
+    """Yield equations and tables: id, place, gravest verdict, rows by verdict, title and reason."""
+    answers = ANSWERS.get(ledger.paper, {})
     members: dict[str, list[Row]] = {}
-    for row in rows:
-        members.setdefault(base(row.id), []).append(row)
-    for claim, found in members.items():
-        if found[0].id != claim:
-            counts = Counter(row.verdict for row in found)
-            words = [f"{counts[v]} {MARKS[v].word}" for v in GRAVITY if counts[v]]
-            worst = next(verdict for verdict in GRAVITY if counts[verdict])
-            place = found[0].where.rsplit(", ", found[0].id.count(",") + 1)[0]
-            yield claim, place, worst, f"{len(found)} rows: {', '.join(words)}"
+    for row in ledger.rows:
+        if row.id.startswith(("eq:", "tab:")):
+            members.setdefault(whole(row.id), []).append(row)
+    for claim, rows in members.items():
+        counts = Counter(row.verdict for row in rows)
+        gravest = min(counts, key=GRAVITY.index)
+        words = [f"{counts[v]} {MARKS[v].word}" for v in GRAVITY if counts[v]]
+        answer = answers.get(claim)
+        about = (answer.title, plain(answer.why)) if answer else ("", "")
+        yield claim, where(claim), gravest, f"{len(rows)} rows: {', '.join(words)}", *about
 
 
 def _row(row: Row, symbols: Sequence[str], shared: Sequence[str]) -> list[object]:
