@@ -22,8 +22,8 @@ from omniproof.report.search_index import places_script
 
 PAGE, INDEX = "search", "search-places.js"
 SCRIPTS = ("search-claims.js", INDEX, "search-words.js", "search-rank.js", "search.js")
-EXCERPT = 160
-"""Letters of a section that are kept, to be found and shown: two lines."""
+EXCERPT = 110
+"""Letters of a section that are kept, to be found and shown: a line or two."""
 
 _FIGURE = re.compile(
     r'<figure class="drawn" id="([\w-]+)">.*?<figcaption>(.*?)</figcaption>', re.DOTALL

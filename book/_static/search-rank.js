@@ -7,7 +7,7 @@ window.RANK = (() => {
   // What a correction changes is what a claim is about; then what stands left of the sign "=".
   const WEIGHTS = { title: 3, changed: 4, subject: 3, printed: 2, correct: 2, note: 2, about: 5, symbols: 1, paper: 1 };
   const SATURATION = 1.2, LENGTH = 0.6, PREFIX = 0.6;
-  const PHRASE = 1.5, ABOUT = 1.5, ALL = 2.5; // the words stand together; are what is wrong; are all of a field
+  const PHRASE = 1.5, ABOUT = 1.5, ALL = 2.5; // the words stand together; are what is wrong, or its name; are all of a field
   const REACH = { motion: 1.8, number: 1.6, text: 1.15 };
   const DOUBT = { conditional: 0.85, editorial: 0.85, uncheckable: 0.7 }; // false before unsaid, before what nothing decides
   const FOLLOWING = 0.75; // where another fault explains this one
@@ -120,7 +120,8 @@ window.RANK = (() => {
     const whole = fields.filter(([name, field]) => name !== "paper" && field === asked).length;
     const phrase = asked.trim().includes(" ") && fields.some(([, field]) => field.includes(asked));
     const about = record.fields.changed?.length && question.every((word) => record.fields.changed.includes(word));
-    return ALL ** Math.min(whole, 2) * (phrase ? PHRASE : 1) * (about ? ABOUT : 1);
+    const called = question.every((word) => SMALL.has(word) || record.fields.about?.includes(word));
+    return ALL ** Math.min(whole, 2) * (phrase ? PHRASE : 1) * (about || called ? ABOUT : 1);
   };
 
   const prior = (record) =>

@@ -83,7 +83,7 @@ def _wholes(ledger: Ledger) -> Iterator[tuple[str, str, Verdict, str, str, str]]
     answers = ANSWERS.get(ledger.paper, {})
     members: dict[str, list[Row]] = {}
     for row in ledger.rows:
-        if row.id.startswith(("eq:", "tab:")):
+        if row.id.startswith("eq:") or re.match(r"tab:[^/]*\[", row.id):
             members.setdefault(whole(row.id), []).append(row)
     for claim, rows in members.items():
         counts = Counter(row.verdict for row in rows)
