@@ -25,8 +25,9 @@ window.RANK = (() => {
   };
 
   // Records of all places, with their words by field.
-  const claim = (paper, columns, row) => {
+  const claim = (paper, { columns, verdicts }, row) => {
     const r = Object.fromEntries(columns.map((name, i) => [name, row[i] ?? ""]));
+    r.verdict = verdicts[r.verdict][0];
     if (typeof r.note === "number") r.note = paper.notes[r.note];
     const [printed, correct] = [words(r.printed), words(r.correct)];
     const fields = {
@@ -59,9 +60,9 @@ window.RANK = (() => {
     kind, address, id: "", place: title, note: text, follows: "", fields: { title: words(`${kind} ${title}`), note: words(text) },
   });
 
-  const gather = ({ columns, papers }, places) => [
-    ...papers.flatMap((paper) => {
-      const rows = paper.rows.map((row) => claim(paper, columns, row));
+  const gather = (claims, places) => [
+    ...claims.papers.flatMap((paper) => {
+      const rows = paper.rows.map((row) => claim(paper, claims, row));
       return [...joined(paper.wholes.map((each) => whole(paper, each)), rows), ...rows];
     }),
     ...places.map(other),

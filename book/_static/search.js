@@ -12,7 +12,7 @@
   const short = (text) => (text.length > LONG ? `${text.slice(0, LONG).replace(/\s+\S*$/, "")} …` : text);
 
   const badge = (verdict) => {
-    const [shape, word] = window.CLAIMS.marks[verdict];
+    const [, shape, word] = window.CLAIMS.verdicts.find(([name]) => name === verdict);
     return make("span", `${shape} ${word}`, `badge-verdict v-${verdict}`);
   };
 

@@ -26,7 +26,7 @@ from omniproof.transcription.model import Symbol
 from omniproof.transcription.paperfile import load_document
 
 COLUMNS = ("id", "place", "verdict", "reach", "follows", "printed", "correct", "note", "symbols")
-"""What is known of a claim, in this order; empty ends are left out."""
+"""What is known of a claim, in this order; a verdict is its place among all. Empty ends are cut."""
 
 _SYMBOLS = TypeAdapter(tuple[Symbol, ...])
 _ENVIRONMENT = re.compile(r"\\(begin|end)\s*\{[A-Za-z]+\*?\}(?:\{[lcr|]+\})?")
@@ -38,7 +38,7 @@ def claims_script(ledgers: Sequence[Ledger], papers: Path) -> str:
     """Return the claims of all papers as a script; `papers`: folder of what the papers print."""
     data = {
         "columns": COLUMNS,
-        "marks": {verdict: (mark.shape, mark.word) for verdict, mark in MARKS.items()},
+        "verdicts": [(verdict, MARKS[verdict].shape, MARKS[verdict].word) for verdict in GRAVITY],
         "papers": [_paper(ledger, papers / ledger.paper) for ledger in ledgers],
     }
     return f"window.CLAIMS = {_json(data)};\n"
@@ -101,7 +101,7 @@ def _row(row: Row, symbols: Sequence[str], shared: Sequence[str]) -> list[object
     right = row.correction or row.assumption
     note = plain(row.note)
     values: list[object] = [
-        row.id, row.where, row.verdict, row.consequence, row.follows, text_of(row.printed),
+        row.id, row.where, GRAVITY.index(row.verdict), row.consequence, row.follows, text_of(row.printed),
         text_of(right), shared.index(note) if note in shared else note, used,
     ]  # fmt: skip
     while values[-1] in ("", []):
