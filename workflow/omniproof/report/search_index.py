@@ -101,8 +101,8 @@ def _row(row: Row, symbols: Sequence[str], shared: Sequence[str]) -> list[object
     right = row.correction or row.assumption
     note = plain(row.note)
     values: list[object] = [
-        row.id, row.where, GRAVITY.index(row.verdict), row.consequence, row.follows, text_of(row.printed),
-        text_of(right), shared.index(note) if note in shared else note, used,
+        row.id, row.where, GRAVITY.index(row.verdict), row.consequence, row.follows,
+        text_of(row.printed), text_of(right), shared.index(note) if note in shared else note, used,
     ]  # fmt: skip
     while values[-1] in ("", []):
         values.pop()
