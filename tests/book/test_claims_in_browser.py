@@ -29,7 +29,6 @@ def opened(context: BrowserContext, small: Path, name: str) -> Page:
     page = context.new_page()
     page.set_default_timeout(10_000)
     page.goto(f"{small.as_uri()}/{name}")
-    page.evaluate("() => window.MathJax?.startup?.promise")
     return page
 
 
@@ -115,7 +114,7 @@ def test_buttons_come_when_a_card_opens(context: BrowserContext, small: Path) ->
 
 def test_the_changed_part_is_marked(context: BrowserContext, small: Path) -> None:
     page = opened(context, small, "omni-arrangement.html#eq-6-1-2")
-    assert page.locator("#eq-6-1-2 g.changed").count() == 2  # printed, and as it should read
+    assert page.locator("#eq-6-1-2 .changed").count() == 2  # printed, and as it should read
     assert "becomes" in page.locator("#eq-6-1-2 dl.facts").inner_text()
 
 

@@ -19,6 +19,7 @@ from omniproof.audit.ledger import Ledger, read_json, schema
 from omniproof.recovery import list_files
 from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
+from omniproof.report.finish import finish
 from omniproof.report.theme import stylesheet
 
 DATA = (
@@ -95,6 +96,7 @@ def build(source: Path, html: Path) -> None:
     if run.returncode or not (pages / "index.html").is_file():
         raise BookError(_complaints(run.stdout + run.stderr, source))
     (pages / ".buildinfo").unlink(missing_ok=True)
+    finish(pages)
     list_files(pages, html.parent / "files.txt")
     if html.exists():
         html.rename(work / "earlier")  # so that a report which stands is always a whole one

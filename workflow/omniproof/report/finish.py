@@ -1,0 +1,79 @@
+"""Finish the pages that Sphinx wrote: set their formulas, take off what the theme brings unused.
+
+A page is then readable at once, without a script, and asks for nothing that it does not use.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections.abc import Iterable
+from html import unescape
+from pathlib import Path
+
+from omniproof.report.latexfmt import TAG
+from omniproof.report.mathfont import font_face
+from omniproof.report.mathml import Formula, mathml
+
+FONT = "mathfont.css"
+
+_FORMULA = re.compile(
+    r'(?P<open><(?P<tag>span|div) class="math [^>]*>\s*(?:<span class="eqno">.*?</span>)?)\s*'
+    r"\\(?P<kind>[\[(])(?P<latex>.*?)\\[\])]\s*(?=</(?P=tag)>)",
+    re.DOTALL,
+)
+_SIGNS = re.compile(r"<math.*?</math>", re.DOTALL)
+_TAG = re.compile(r"<[^>]*>")
+_SEARCH_PAGE = "search.html"
+_OF_SEARCH = re.compile(
+    r'\s*<script src="(?:_static/searchtools|_static/language_data|searchindex)\.js[^>]*></script>'
+)
+_UNUSED_PARTS = re.compile(
+    r'\s*<script[^>]*src="_static/(?:scripts/fontawesome|design-tabs|togglebutton)\.js[^>]*></script>'
+    r'|\s*<link[^>]*href="_static/(?:sphinx-thebe|togglebutton|sphinx-design\.min)\.css[^>]*>'
+    r"|\s*<script>(?:let toggle|var togglebutton)[^<]*</script>"
+)
+"""Icons as a script, and extensions of Jupyter Book that no page uses."""
+
+_ICON_RULES = re.compile(r'(?:\.fa-[\w-]+:before,?)+\{content:"[^"}]*"\}')
+_UNUSED_FILES = (
+    "scripts/*.map", "styles/*.map", "scripts/fontawesome*", "vendor/fontawesome", "locales",
+    "design-tabs.js", "togglebutton.*", "sphinx-thebe.*", "sphinx-design.min.css",
+    "webpack-macros.html", "sbt-webpack-macros.html", "*.png", "check-solid.svg", "play-solid.svg",
+)  # fmt: skip
+
+
+def finish(html: Path) -> None:
+    """Finish all pages in the folder `html`, and what lies beside them."""
+    pages = {path: _lightened(path) for path in sorted(html.glob("*.html"))}
+    for path, text in zip(pages, set_formulas(pages.values()), strict=True):
+        path.write_text(text, encoding="utf-8")
+        pages[path] = text
+    static = html / "_static"
+    (static / FONT).write_text(font_face(_signs(pages.values())), encoding="utf-8")
+    for path in {file for pattern in _UNUSED_FILES for file in static.glob(pattern)}:
+        shutil.rmtree(path) if path.is_dir() else path.unlink()
+    theme = static / "styles" / "pydata-sphinx-theme.css"
+    theme.write_text(_ICON_RULES.sub("", theme.read_text(encoding="utf-8")), encoding="utf-8")
+
+
+def set_formulas(texts: Iterable[str]) -> list[str]:
+    r"""Return HTML with MathML for each `\(…\)` and `\[…\]` in an element of class `math`."""
+    pages = list(texts)
+    formulas = mathml(_formula(found) for text in pages for found in _FORMULA.finditer(text))
+    return [_FORMULA.sub(lambda found: found["open"] + formulas[_formula(found)], t) for t in pages]
+
+
+def _formula(found: re.Match[str]) -> Formula:
+    return Formula(TAG.sub("", unescape(found["latex"])).strip(), found["kind"] == "[")
+
+
+def _signs(texts: Iterable[str]) -> set[str]:
+    """Return the characters of all formulas."""
+    shown = (_TAG.sub("", math) for text in texts for math in _SIGNS.findall(text))
+    return set().union(*map(unescape, shown))
+
+
+def _lightened(page: Path) -> str:
+    text = _UNUSED_PARTS.sub("", page.read_text(encoding="utf-8"))
+    return text if page.name == _SEARCH_PAGE else _OF_SEARCH.sub("", text)
