@@ -7,6 +7,7 @@ import pytest
 from omniproof.audit.ledger import Ledger
 from omniproof.report.cards import card_faults
 from omniproof.report.derived import Derived
+from omniproof.report.finish import set_formulas
 from omniproof.report.fragments import Chapter
 
 PAGE = "omni-arrangement.html"
@@ -16,7 +17,7 @@ PAGE = "omni-arrangement.html"
 def text(chapter: Chapter) -> str:
     """A page with a table, a list and cards."""
     parts = [chapter.table("tab:2["), chapter.listing("tab:1[", "xref"), chapter.rest()]
-    return "".join(part.html for part in parts)
+    return set_formulas(["".join(part.html for part in parts)])[0]
 
 
 def test_nothing_is_lacking(text: str, ledger: Ledger) -> None:

@@ -18,6 +18,7 @@ from omniproof.report.anchors import anchor
 from omniproof.report.changes import changes
 from omniproof.report.code_pages import code_link
 from omniproof.report.derived import Derived
+from omniproof.report.finish import set_formulas
 from omniproof.report.fragments.base import note_html
 from omniproof.report.latexfmt import is_latex
 from omniproof.report.theme import MARKS
@@ -116,17 +117,18 @@ def card_faults(page: str, text: str, ledger: Ledger, derived: Derived) -> Itera
     Every card has the whole note of its row; that of a faulty one has more.
     """
     cards = Cards(text).cards
-    for row in ledger.rows:
+    notes = set_formulas(note_html(row.note, lambda _: None) for row in ledger.rows)
+    for row, note in zip(ledger.rows, notes, strict=True):
         card = cards.get(f"#{anchor(row.id)}")
-        lacking = [] if card is None or _says(card, row.note) else ["its whole note"]
+        lacking = [] if card is None or _says(card, note) else ["its whole note"]
         if row.verdict.is_fault:
             lacking += _lacking(row, card, derived) if card else ["a card"]
         yield from (f"{page}: {row.id} lacks {what}" for what in lacking)
 
 
 def _says(card: Card, note: str) -> bool:
-    """Whether a note stands on a card, word by word; blanks depend on the elements around."""
-    shown = unescape(_TAG.sub("", note_html(note, lambda _: None)))
+    """Whether a note (HTML) stands on a card; blanks depend on the elements around."""
+    shown = unescape(_TAG.sub("", note))
     return "".join(shown.split()) in "".join(card.words.split())
 
 
