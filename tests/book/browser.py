@@ -27,6 +27,8 @@ _LOOK = """() => {
     bare: all(".math").filter((e) => !e.querySelector("math")).map(text),
   };
 }"""
+_STOPS = """() => [...document.querySelectorAll("a[href], button, input, select, textarea, summary, [tabindex]")]
+  .filter((e) => e.tabIndex >= 0 && !e.disabled && e.checkVisibility({ visibilityProperty: true })).length"""
 _FORMULAS = Path(__file__).with_name("formulas.js").read_text(encoding="utf-8")
 _UNFOLD = """() => {
   const folded = [...document.querySelectorAll("details:not([open])")];
@@ -101,6 +103,11 @@ def width(page: Page, screen: int) -> int:
     """Return how wide an open page is on a screen of this width."""
     page.set_viewport_size({"width": screen, "height": 800})
     return int(page.evaluate("() => document.documentElement.scrollWidth"))
+
+
+def tab_stops(page: Page) -> int:
+    """Return how many elements of an open page the tabulator stops at."""
+    return int(page.evaluate(_STOPS))
 
 
 def unseen_formulas(page: Page) -> list[str]:

@@ -20,6 +20,7 @@ from omniproof.recovery import list_files
 from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
 from omniproof.report.finish import finish
+from omniproof.report.fragments.rows import write_details
 from omniproof.report.theme import stylesheet
 
 DATA = (
@@ -77,6 +78,7 @@ def _stage_data(results: Path, extra: Path) -> None:
     }
     for name, text in texts.items():
         (extra / name).write_text(text, encoding="utf-8")
+    write_details(extra, ledgers)
     write_code(extra)
 
 

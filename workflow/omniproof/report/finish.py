@@ -9,8 +9,10 @@ import re
 import shutil
 from collections.abc import Iterable
 from html import unescape
+from itertools import chain
 from pathlib import Path
 
+from omniproof.report.fragments.rows import FOLDER, details_text, read_details
 from omniproof.report.latexfmt import TAG
 from omniproof.report.mathfont import font_face
 from omniproof.report.mathml import Formula, mathml
@@ -35,6 +37,15 @@ _UNUSED_PARTS = re.compile(
 )
 """Icons as a script, and extensions of Jupyter Book that no page uses."""
 
+_USED_BY = {
+    r"rows\.js": '<div class="rows"',
+    r"claims\.js": '<div class="rows"|copyable',
+    r"findings\.js": '<table class="audit findings',
+    r"filters\.js": '<div class="rows"|<table class="audit findings',
+    r"(?:clipboard\.min|copybutton)\.js": "<pre>",
+}
+"""Scripts, and what a page has in it that they work on."""
+
 _ICON_RULES = re.compile(r'(?:\.fa-[\w-]+:before,?)+\{content:"[^"}]*"\}')
 _UNUSED_FILES = (
     "scripts/*.map", "styles/*.map", "scripts/fontawesome*", "vendor/fontawesome", "locales",
@@ -46,11 +57,23 @@ _UNUSED_FILES = (
 def finish(html: Path) -> None:
     """Finish all pages in the folder `html`, and what lies beside them."""
     pages = {path: _lightened(path) for path in sorted(html.glob("*.html"))}
-    for path, text in zip(pages, set_formulas(pages.values()), strict=True):
-        path.write_text(text, encoding="utf-8")
-        pages[path] = text
-    static = html / "_static"
-    (static / FONT).write_text(font_face(_signs(pages.values())), encoding="utf-8")
+    details = {
+        path: read_details(path.read_text(encoding="utf-8"))
+        for path in sorted((html / FOLDER).glob("*.js"))
+    }
+    texts = set_formulas([*pages.values(), *chain(*(rows.values() for rows in details.values()))])
+    done = iter(texts)
+    for path in pages:
+        path.write_text(next(done), encoding="utf-8")
+    for path, rows in details.items():
+        set_ = dict(zip(rows, done, strict=False))
+        path.write_text(details_text(path.stem, set_), encoding="utf-8")
+    _lighten(html / "_static", texts)
+
+
+def _lighten(static: Path, texts: Iterable[str]) -> None:
+    """Write the font, and take off what the theme brings unused."""
+    (static / FONT).write_text(font_face(_signs(texts)), encoding="utf-8")
     for path in {file for pattern in _UNUSED_FILES for file in static.glob(pattern)}:
         shutil.rmtree(path) if path.is_dir() else path.unlink()
     theme = static / "styles" / "pydata-sphinx-theme.css"
@@ -75,5 +98,10 @@ def _signs(texts: Iterable[str]) -> set[str]:
 
 
 def _lightened(page: Path) -> str:
+    """Return a page without the scripts that it does not use."""
     text = _UNUSED_PARTS.sub("", page.read_text(encoding="utf-8"))
-    return text if page.name == _SEARCH_PAGE else _OF_SEARCH.sub("", text)
+    text = text if page.name == _SEARCH_PAGE else _OF_SEARCH.sub("", text)
+    for script, mark in _USED_BY.items():
+        if not re.search(mark, text):
+            text = re.sub(rf'\s*<script[^>]*src="_static/{script}[^>]*></script>', "", text)
+    return text

@@ -24,6 +24,11 @@ class Addresses:
         inside = (address for claim, address in self._of_rows.items() if selects(claim_id, claim))
         return next(inside, None)
 
+    def href(self, claim_id: str) -> str | None:
+        """Return the link to a claim on its page, or None when there is no such place."""
+        address = self.find(claim_id)
+        return f"#{address}" if address else None
+
     def take(self, address: str) -> bool:
         """Give an anchor to an element that is no row; False when it has been given already."""
         free = address not in self._taken
