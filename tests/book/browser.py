@@ -27,8 +27,12 @@ _LOOK = """() => {
     bare: all(".math").filter((e) => !e.querySelector("math")).map(text),
   };
 }"""
-_STOPS = """() => [...document.querySelectorAll("a[href], button, input, select, textarea, summary, [tabindex]")]
-  .filter((e) => e.tabIndex >= 0 && !e.disabled && e.checkVisibility({ visibilityProperty: true })).length"""
+_STOPS = """() => [
+  ...document.querySelectorAll("a[href], button, input, select, textarea, summary, [tabindex]"),
+]
+  .filter((e) => e.tabIndex >= 0 && !e.disabled)
+  .filter((e) => e.checkVisibility({ visibilityProperty: true })).length
+"""
 _FORMULAS = Path(__file__).with_name("formulas.js").read_text(encoding="utf-8")
 _UNFOLD = """() => {
   const folded = [...document.querySelectorAll("details:not([open])")];
