@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -99,7 +100,11 @@ def test_only_rows_in_view_have_a_button(chapter: Page) -> None:
     assert chapter.locator("tr.claim button").count() == len(shown(chapter))
 
 
-def test_paper_has_every_row(chapter: Page) -> None:
+def test_paper_has_every_row_that_stands_in_no_matrix(chapter: Page) -> None:
     chapter.emulate_media(media="print")
-    assert len(shown(chapter)) == len(ROWS)
+    sound = re.compile(r"(eq|tab):[\w/.]+\[")
+    entries = {
+        anchor(row.id) for row in ROWS if row.verdict is Verdict.VERIFIED and sound.match(row.id)
+    }
+    assert shown(chapter) == [a for a in addresses(lambda row: True) if a not in entries]
     assert chapter.locator(".filters:visible").count() == 0
