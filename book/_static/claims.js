@@ -67,7 +67,7 @@
     dialog.showModal();
   };
 
-  // The right form stands in attributes of `place`; a card can be disputed, too.
+  // The right form stands in attributes of `place`.
   const tools = (place, name, card) => {
     const tools = make("p", "", { className: "tools" });
     const status = make("span", "");
@@ -81,7 +81,7 @@
       const text = place.dataset[kind];
       if (text) add(`Copy ${label}`, () => copy(text, (said) => (status.textContent = said)));
     }
-    if (card) add("Dispute", () => show(dispute(card, place)));
+    add("Dispute", () => show(dispute(card, place)));
     tools.append(status);
     return tools;
   };
@@ -89,9 +89,5 @@
   document.addEventListener("facts", ({ target }) => {
     const facts = target.querySelector("dl.facts");
     if (facts) facts.after(tools(facts, facts.querySelector("a.address").textContent, facts.closest(".claim")));
-  });
-  document.addEventListener("DOMContentLoaded", () => {
-    for (const place of document.querySelectorAll(".copyable"))
-      place.append(tools(place, place.dataset.name, null));
   });
 })();

@@ -25,7 +25,7 @@
     const place = document.createElement("div");
     place.className = "details";
     row.lastElementChild.append(place);
-    place.innerHTML = (await details())[row.id] ?? '<p>Its details are in <a href="ledger.csv">ledger.csv</a>.</p>';
+    place.innerHTML = (await details())[row.id || row.dataset.row] ?? '<p>Its details are in <a href="ledger.csv">ledger.csv</a>.</p>';
     place.dispatchEvent(new CustomEvent("facts", { bubbles: true }));
   };
 
@@ -44,7 +44,7 @@
 
   const sound = (row) => ["verified", "uncheckable"].includes(row.dataset.verdict);
   const trivial = (row) => "trivial" in row.dataset;
-  const kinds = [...new Set(rows.map((row) => row.dataset.kind))];
+  const kinds = [...new Set(rows.map((row) => row.dataset.claim))];
   const verdicts = [...new Set(rows.map((row) => row.dataset.verdict))];
   const choices = {
     show: {
@@ -62,7 +62,7 @@
     },
     kind: {
       options: [["", "all"], ...kinds.map((kind) => [kind, kind])],
-      passes: (row, value) => !value || value === row.dataset.kind,
+      passes: (row, value) => !value || value === row.dataset.claim,
     },
   };
   const { form, update } = filters("filter the rows", "rows", rows, choices, (shown) => {

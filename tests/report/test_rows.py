@@ -59,9 +59,14 @@ def test_every_row_has_its_address_once(html: str, ledger: Ledger, outline: type
     assert len(ids) == len(set(ids))
 
 
-def test_an_equation_and_its_rows_have_addresses(html: str, outline: type) -> None:
-    """Eq. (10) stands in the ledger by its parts only."""
-    assert {"eq-10", "rows-eq-10", "eq-6", "rows-eq-6", "rows-eq-A-2"} <= set(outline(html).ids)
+def test_an_equation_and_its_rows_have_addresses(chapter: Chapter, outline: type) -> None:
+    """Eq. (10) stands in the ledger by its parts only; its answer bears its address."""
+    ids = outline(chapter.answers().html + chapter.every_row().html).ids
+    assert {"eq-10", "rows-eq-10", "eq-6", "rows-eq-6", "eq-1", "rows-eq-1"} <= set(ids)
+    assert len(ids) == len(set(ids))
+
+
+def test_a_matrix_says_how_many_of_its_entries_are_wrong(html: str, outline: type) -> None:
     assert outline(line(html, "eq-10-a3")).text == "✗ 1 of 1 erratum Eq. (10), a3"
 
 

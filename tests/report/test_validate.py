@@ -24,8 +24,9 @@ def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Pages without a theme, made of the fragments themselves; every test breaks its own copy."""
     folder = tmp_path_factory.mktemp("sound")
     chapter, overview = Chapter.open("omni-arrangement", RESULTS), Overview.open(RESULTS)
+    first = [chapter.counts(), chapter.answers(), chapter.figure(5), chapter.table("tab:2[")]
     pages = {
-        CHAPTER: [chapter.counts(), chapter.figure(5), chapter.every_row()],
+        CHAPTER: [*first, chapter.every_row()],
         "index.html": [overview.counts(), overview.headlines({"omni-arrangement eq:6[1,2]": "x"})],
     }
     for name, fragments in pages.items():
@@ -73,7 +74,10 @@ def test_a_theorem_that_no_page_shows_is_named(html: Path, ledger: Ledger, resul
 FAULTS = [
     pytest.param(
         replaced(CHAPTER, 'id="eq-1"', 'id="eq-one"'),
-        [f"{CHAPTER}: eq:1 has 0 elements #eq-1, expected one"],
+        [
+            f"{CHAPTER}: eq:1 has 0 elements #eq-1, expected one",
+            f"{CHAPTER}: the link #eq-1 leads to no element",
+        ],
         id="a claim without its address",
     ),
     pytest.param(

@@ -36,7 +36,7 @@ TERMS: Mapping[str, str] = {
 }
 """Column of the ledger -> the term under which a card has it."""
 
-_LINE = re.compile(r'(<tr class="claim [^>]*? id="([^"]+)".*?)(</td></tr>)', re.DOTALL)
+_LINE = re.compile(r'(<tr class="claim [^>]*? (?:id|data-row)="([^"]+)".*?)(</td></tr>)', re.DOTALL)
 _TAG = re.compile(r"<[^>]*>")
 _VOID = frozenset({"br", "img", "input", "link", "meta", "hr", "col", "source", "wbr"})
 

@@ -38,8 +38,8 @@ _UNUSED_PARTS = re.compile(
 """Icons as a script, and extensions of Jupyter Book that no page uses."""
 
 _USED_BY = {
-    r"rows\.js": '<div class="rows"',
-    r"claims\.js": '<div class="rows"|copyable',
+    r"(?:rows|claims)\.js": '<div class="rows"',
+    r"answers\.js": '<div class="answers"',
     r"findings\.js": '<table class="audit findings',
     r"filters\.js": '<div class="rows"|<table class="audit findings',
     r"(?:clipboard\.min|copybutton)\.js": "<pre>",

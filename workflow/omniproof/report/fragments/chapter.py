@@ -7,8 +7,10 @@ from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, Row, Verdict, read_json
 from omniproof.report.anchors import selects
+from omniproof.report.answers import Equations
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.addresses import Addresses
+from omniproof.report.fragments.answers import answers_html
 from omniproof.report.fragments.base import (
     Fragment,
     Written,
@@ -49,9 +51,15 @@ class Chapter:
         """Return one row. Raises `KeyError` when the ledger has no such id."""
         return self._rows[claim_id]
 
+    def answers(self) -> Fragment:
+        """Show every numbered equation as a whole, with what to use; before the rows of any."""
+        equations = Equations(self.ledger)
+        self._addresses.give_to_answers(n for n in equations.answers if n.startswith("eq:"))
+        return Fragment(answers_html(equations, self.href), "answers")
+
     def every_row(self) -> Fragment:
         """Show all rows of the paper as one table; last, for others bear addresses, too."""
-        return Fragment(rows_html(self.ledger, self.href, self._addresses.take), "every row")
+        return Fragment(rows_html(self.ledger, self.href, self._addresses), "every row")
 
     def table(
         self, *selectors: str, columns: Labels | None = None, rows: Labels | None = None
@@ -95,8 +103,8 @@ class Chapter:
         return Fragment(accounting_html(self.ledger) + link_to_pdf, "counts")
 
     def survives(self) -> Fragment:
-        """Show which conclusions stand, which fall with which fault, and what to use instead."""
-        return Fragment(survives_html(self.ledger, self.href, self._derived), "what survives")
+        """Show which conclusions stand, and which fall with which fault."""
+        return Fragment(survives_html(self.ledger, self.href), "what survives")
 
     def value(self, claim_id: str, column: str = "printed") -> Value:
         """Return one cell of the ledger for running text (see `in_text`)."""

@@ -8,7 +8,7 @@ Without a script every line stands there.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from html import escape
 from pathlib import Path
 
@@ -25,7 +25,8 @@ from omniproof.report.fragments.base import (
     place_of_group,
     worst,
 )
-from omniproof.report.fragments.claims import Group, facts_html, groups, matrix_html
+from omniproof.report.fragments.claims import facts_html, matrix_html
+from omniproof.report.groups import Group, groups
 from omniproof.report.latexfmt import cell, inline, is_latex
 from omniproof.transcription.ids import whole
 from omniproof.transcription.model import Kind
@@ -34,37 +35,35 @@ FOLDER = "rows"
 HEAD = ("place", "verdict", "what is printed, and what there is to say")
 _QUIET = frozenset({Verdict.EDITORIAL, Verdict.INCONSISTENT})
 
-Take = Callable[[str], bool]
-"""Give an address of the page to an element; False when another one has it."""
 
-
-def rows_html(ledger: Ledger, href: Href, take: Take) -> str:
+def rows_html(ledger: Ledger, href: Href, addresses: Addresses) -> str:
     """Return the table of all rows of a paper, in the order of the ledger."""
     columns = "".join(f'<th scope="col">{name}</th>' for name in HEAD)
-    bodies = "".join(_body(group, href, take) for group in groups(ledger.rows))
+    bodies = "".join(_body(group, href, addresses) for group in groups(ledger.rows))
     return (
         f'<div class="rows" data-paper="{escape(ledger.paper)}"><table class="audit list">'
         f"<thead><tr>{columns}</tr></thead>{bodies}</table></div>"
     )
 
 
-def _body(group: Group, href: Href, take: Take) -> str:
+def _body(group: Group, href: Href, addresses: Addresses) -> str:
     """Return the rows of a claim; the first ones of an equation bear the address of its rows."""
     equation = whole(group.base)
-    first = equation.startswith("eq:") and take(rows_anchor(equation))
+    first = equation.startswith("eq:") and addresses.take(rows_anchor(equation))
     address = f' id="{rows_anchor(equation)}"' if first else ""
-    head = _whole(group, take) if group.is_matrix else ""
-    alias = f'<span id="{anchor(equation)}"></span>' if first and take(anchor(equation)) else ""
+    head = _whole(group, addresses) if group.is_matrix else ""
     bare = bool(group.whole)
-    lines = _line(group.rows[0], href, bare=bare, alias=alias)
-    lines += "".join(_line(row, href, bare=bare) for row in group.rows[1:])
+    lines = "".join(
+        _line(row, href, bare=bare, addressed=not addresses.is_answered(row.id))
+        for row in group.rows
+    )
     return f"<tbody{address}>{head}{lines}</tbody>"
 
 
-def _whole(group: Group, take: Take) -> str:
+def _whole(group: Group, addresses: Addresses) -> str:
     verdict = worst(group.rows)
     count = sum(row.verdict is verdict for row in group.rows)
-    address = f' id="{anchor(group.base)}"' if take(anchor(group.base)) else ""
+    address = f' id="{anchor(group.base)}"' if addresses.take(anchor(group.base)) else ""
     return (
         f'<tr class="whole v-{verdict}"{address}><th scope="rowgroup" colspan="{len(HEAD)}">'
         f"{badge(verdict, f'{count} of {len(group.rows)}')} "
@@ -72,11 +71,13 @@ def _whole(group: Group, take: Take) -> str:
     )
 
 
-def _line(row: Row, href: Href, *, bare: bool, alias: str = "") -> str:
+def _line(row: Row, href: Href, *, bare: bool, addressed: bool) -> str:
+    """Return the line of a row; one whose address an answer bears is known by `data-row`."""
+    name = "id" if addressed else "data-row"
     trivial = " data-trivial" if is_trivial(row) else ""
     return (
-        f'<tr class="claim v-{row.verdict}" id="{anchor(row.id)}" data-verdict="{row.verdict}" '
-        f'data-kind="{row.kind}"{trivial}><th scope="row">{alias}{inline(row.where)}</th>'
+        f'<tr class="claim v-{row.verdict}" {name}="{anchor(row.id)}" data-verdict="{row.verdict}" '
+        f'data-claim="{row.kind}"{trivial}><th scope="row">{inline(row.where)}</th>'
         f"<td>{badge(row.verdict)}</td><td>{said_html(row, href, bare=bare)}</td></tr>"
     )
 
