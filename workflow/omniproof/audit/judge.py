@@ -19,6 +19,7 @@ from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sign_cases import equivalent
 from omniproof.audit.voice import Voice
+from omniproof.audit.wavering import judge_alone, judge_convention
 from omniproof.formula.evaluation import evaluate
 from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
 from omniproof.transcription.model import ID, Claim, Form, Kind, Reading
@@ -40,7 +41,7 @@ def judge_claim(claim: Claim, context: Context) -> list[Row]:
         Kind.EDITORIAL: _judge_reading,
     }
     if claim.kind is Kind.IDENTITY:
-        return judge_identity(claim, context)
+        return judge_alone(claim, context)
     return [judges[claim.kind](claim, context)]
 
 
@@ -193,26 +194,12 @@ def _judge_consistency(claim: Claim, context: Context) -> Row:
     conventions = context.registry.conventions
     convention = next((o for o in (claim.id, *claim.agrees_with) if o in conventions), None)
     if convention:
-        return _judge_convention(claim, context.claims[convention], context)
+        return judge_convention(start(claim, context), convention, context)
     row = start(claim, context)
     against = [other for other in claim.agrees_with if not _agree(claim, other, context)]
     verdict = Verdict.INCONSISTENT if against else Verdict.VERIFIED
     row = row.model_copy(update={"verdict": verdict, "engines": "text"})
     return with_note(row, f"differs from {', '.join(against)}" if against else "")
-
-
-def _judge_convention(claim: Claim, place: Claim, context: Context) -> Row:
-    """Judge the place that uses a convention, or one that states it: both say the same."""
-    convention = context.registry.conventions[place.id]
-    chosen = context.choices[place.id]
-    row = start(claim, context).model_copy(update={"verdict": Verdict.VERIFIED, "engines": "flint"})
-    if chosen == convention.stated:
-        return row
-    return with_note(
-        row.model_copy(update={"verdict": Verdict.INCONSISTENT}),
-        f"stated at {', '.join(place.agrees_with)}: {convention.stated}; "
-        f"used at {place.id}: {chosen}. The printed formulas need the latter",
-    )
 
 
 def _agree(claim: Claim, other: str, context: Context) -> bool:
