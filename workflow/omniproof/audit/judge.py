@@ -113,8 +113,8 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
     answer = _judge_form(claim, relation, context)
     row = answered(start(claim, context), answer, context)
     if not isinstance(answer, Refuted):
-        return row
-    row = _mended(row, relation, answer.engines)
+        return _for_all(row, claim)
+    row = _for_all(_mended(row, relation, answer.engines), claim)
     if relation.premises is None or row.verdict is not Verdict.ERRATUM:
         return row
     granted = _judge_form(claim, replace(relation, subject=relation.premises), context)
@@ -139,6 +139,16 @@ def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
     else:
         fields = {"correction": relation.correction, "repair": Repair.MANUAL}
     return row.model_copy(update={"engines": "+".join(engines), **fields})
+
+
+def _for_all(row: Row, claim: Claim) -> Row:
+    """What is said of all values is false where some are left out: it should say for which."""
+    assert claim.asserts is not None
+    if row.verdict is not Verdict.CONDITIONAL or not claim.asserts.for_all:
+        return row
+    correction = rf"{row.printed} \text{{ for }} {row.assumption}"
+    fields = {"correction": correction, "assumption": "", "repair": Repair.MANUAL}
+    return row.model_copy(update={"verdict": Verdict.ERRATUM, **fields})
 
 
 def _undecided(row: Row, reason: str) -> Row:
