@@ -76,6 +76,7 @@ EXPECTED = [
     verdict("sec:3/slip-chain-roller-1", "erratum", "no slip at 0 and 180 degrees",
             correction=r"|S_{i,0}| < |S_{i,1}| < |S_{i,2}| < |S_{i,3}| \text{ for } "
                        r"0 < \phi < \pi \text{ or } \pi < \phi < 2 \pi"),
+    verdict("sec:3/slip-chain-roller-2", "erratum", "no slip at 0 and 180 degrees"),
     verdict("sec:3/face-to-face", "conditional", "in case 0 nothing slips",
             assumption=r"k \neq 0"),
     verdict("sec:3/slip-maxima", "verified", "sin^2 is greatest at 90 and 270 degrees"),
