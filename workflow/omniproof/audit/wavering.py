@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from omniproof.audit.answer import Proved
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, flat
 from omniproof.audit.identities import count_faults, judge_identity
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
 from omniproof.audit.rows import with_note
+from omniproof.decide.answer import Proved
 from omniproof.transcription.ids import whole
 from omniproof.transcription.model import Claim, Kind
 from omniproof.transcription.tree import Chain, Name
