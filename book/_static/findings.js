@@ -1,7 +1,7 @@
 // The long list of findings: sorted by its heads, filtered by paper, verdict, kind and consequence.
 // Without this script the table is complete, in the order of consequence.
 "use strict";
-(() => {
+addEventListener("DOMContentLoaded", () => {
   const list = document.querySelector("table.findings");
   if (!list) return;
   const heads = [...list.tHead.rows[0].cells];
@@ -43,4 +43,4 @@
   const { form, update } = filters("filter the findings", "findings", rows, choices, () => {});
   list.closest(".wide").before(form);
   update();
-})();
+});

@@ -1,7 +1,7 @@
 // Every row of a paper: the faults first, and the details of a row when a reader asks for them.
 // They are in a script of their own, because a page from disk can load nothing else.
 "use strict";
-(() => {
+addEventListener("DOMContentLoaded", () => {
   const box = document.querySelector(".rows");
   if (!box) return;
   const rows = [...box.querySelectorAll("tr.claim")];
@@ -90,4 +90,4 @@
   };
   addEventListener("hashchange", reveal);
   reveal();
-})();
+});

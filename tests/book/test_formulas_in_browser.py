@@ -102,7 +102,7 @@ def test_only_what_is_lost_is_a_fault(sheet: Page, html: str, faults: list[str])
 
 @pytest.fixture(
     params=[
-        pytest.param(("#eq-6 .math.display", "9rem"), id="a boxed entry"),
+        pytest.param(("#rows-eq-6 .math.display", "9rem"), id="a boxed entry"),
         pytest.param(("#eq-A-2-a13 .printed .math", "5rem"), id="a changed part"),
     ]
 )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import importlib.util
+import logging
 from collections.abc import Iterable, Iterator
 from io import BytesIO
 from pathlib import Path
@@ -26,6 +27,7 @@ LEGAL = (0, 1, 2, 3, 4, 5, 6, 13, 14)
 """Entries of the font's table of names: the licence stays with the font."""
 
 _ROOT = 0x221A
+logging.getLogger("fontTools.subset").setLevel(logging.WARNING)  # else each glyph is told
 
 
 def font_face(signs: Iterable[str]) -> str:
