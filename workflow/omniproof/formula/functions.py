@@ -128,8 +128,12 @@ def _differs_from_0(term: Term) -> tuple[Comparison, ...]:
     return (Comparison(term, "\\neq", ZERO),)
 
 
+def _not_negative(term: Term) -> tuple[Comparison, ...]:
+    return (Comparison(term, "\\geq", ZERO),)
+
+
 def _within_one(x: Term) -> tuple[Comparison, ...]:
-    return Comparison(x, "\\leq", ONE), Comparison(x, "\\geq", number(-1))
+    return _not_negative(subtract(ONE, x)) + _not_negative(add(ONE, x))
 
 
 def _half(term: Term) -> Term:
@@ -182,7 +186,7 @@ _ROWS = (
          domain=lambda y, x: _differs_from_0(Sum((_square(y), _square(x)))),
          angle=lambda y, x: (divide(x, _hypotenuse(x, y)), divide(y, _hypotenuse(x, y)))),
     _row("sqrt", (lambda x: _inverse_of(multiply(number(2), root(x))),), words=(), commands=(),
-         text="√", domain=lambda x: (Comparison(x, "\\geq", ZERO),)),
+         text="√", domain=_not_negative),
     _row("abs", (lambda x: divide(x, size(x)),), words=(), commands=(), latex="|", text="|",
          parity="even", sympy="Abs"),
     _row("sign", Lacks("it jumps at 0"), commands=(), words=("sgn", "sign"), text="sgn",
