@@ -175,7 +175,7 @@ def test_an_angle_lies_at_its_point_of_the_circle(name: str) -> None:
     assert digits.are_equal(exact(sine), mp.sin(angle))
 
 
-@pytest.mark.parametrize("name", CIRCULAR)
+@pytest.mark.parametrize("name", sorted(CIRCULAR))
 def test_a_circular_function_is_a_quotient_on_the_circle(name: str) -> None:
     x = mp.mpf(1) / 3
     above, below = FUNCTIONS[name].on_circle(1, mp.cos(x), mp.sin(x))
