@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page
 from small_report import RESULTS
 
-from omniproof.report.book import read_ledgers
+from omniproof.audit.ledger import read_ledgers
 from omniproof.transcription.model import Source
 
 COPIED = "navigator.clipboard.writeText = async (text) => { window.copied = text; };"

@@ -9,9 +9,8 @@ import pytest
 from playwright.sync_api import Page, expect
 from small_report import RESULTS
 
-from omniproof.audit.ledger import Verdict
+from omniproof.audit.ledger import Verdict, read_ledgers
 from omniproof.report.anchors import anchor
-from omniproof.report.book import read_ledgers
 from omniproof.report.fragments.rows import is_trivial
 
 ROWS = read_ledgers(RESULTS)[0].rows

@@ -15,7 +15,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from omniproof.audit.ledger import Ledger, read_json, schema
+from omniproof.audit.ledger import read_ledgers, schema
 from omniproof.recovery import list_files
 from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
@@ -34,11 +34,6 @@ _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 class BookError(RuntimeError):
     """The book was not built; the message is what a person needs to mend it."""
-
-
-def read_ledgers(results: Path) -> tuple[Ledger, ...]:
-    """Read every ledger of the folder of results, by name of paper."""
-    return tuple(read_json(path) for path in sorted((results / "ledger").glob("*.json")))
 
 
 def stage(book: Path, results: Path, source: Path) -> None:
