@@ -119,6 +119,20 @@ def positive_names(*expressions: Any) -> frozenset[str]:
     return frozenset(symbol.name for symbol in found if symbol.is_nonnegative)
 
 
+def assumed_signs(*expressions: Any) -> frozenset[tuple[str, str]]:
+    """Return what SymPy assumes of symbols: pairs of a name and how it stands to 0."""
+    found = set().union(*(expression.free_symbols for expression in expressions))
+    return frozenset(
+        (symbol.name, relation)
+        for symbol in found
+        for assumption, relation in _SIGNS.items()
+        if getattr(symbol, assumption)
+    )
+
+
+_SIGNS = {"is_nonnegative": "\\geq", "is_nonpositive": "\\leq", "is_nonzero": "\\neq"}
+
+
 def _refusal(node: Any) -> str:
     if node.is_Float:
         return f"{node} is a floating-point number, not an exact one"
