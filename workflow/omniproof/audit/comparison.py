@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
 from itertools import compress, islice, product
 from math import lcm
 from typing import Any, TypeAlias
@@ -19,24 +20,26 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from omniproof.audit.balls import compile_balls, evaluate
-from omniproof.audit.confirm_order import confirmed_order
+from omniproof.audit.confirm_order import confirmed_order, region_of
 from omniproof.audit.exact import sign, subtract, vanishes
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, not_on_faces, sign_on
-from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
 from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.audit.zero_test import Terms
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import format_ball, rational_ball, sign_of
 from omniproof.decide.normal_form.angles import read_angle
+from omniproof.decide.z3.order import Nowhere, Region, Somewhere, find_point
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS, term_of
 from omniproof.formula.term import Symbol
+from omniproof.formula.value import Comparison
 
 ENGINE = ("flint",)
 WANTED = {"<": -1, "\\leq": -1, ">": 1, "\\geq": 1}
-FAILS = {"<": ">=", "\\leq": ">", ">": "<=", "\\geq": "<", "\\neq": "=="}
+FAILS = {"<": "\\geq", "\\leq": ">", ">": "\\leq", "\\geq": "<", "\\neq": "="}
 STEPS = 300_000
 """More than a confirmation is given: here z3 is the only one left."""
 MOST_CANDIDATES = 30
@@ -49,18 +52,28 @@ Point: TypeAlias = Mapping[sp.Symbol, Any]
 _TURN = re.compile(r"(-?)(?:(\d+)\*)?pi(?:/(\d+))?")
 
 
-def compare(left: sp.Expr, operator: str, right: sp.Expr, domain: Domain = REALS) -> Answer:
+def compare(
+    left: sp.Expr,
+    operator: str,
+    right: sp.Expr,
+    domain: Domain = REALS,
+    terms: Terms | None = None,
+) -> Answer:
     r"""Decide whether `left operator right` holds at every point where both sides are defined.
 
+    `terms` are the sides as they are printed, before SymPy had an idea of them.
     With one variable on a bounded range, what holds in parts is `OnBranch` with the exact set.
     What is not decided is `Undecided`. Raises `DisagreementError` when z3 contradicts the balls.
     """
-    return guarded(lambda: _Comparison(left, operator, right, domain).confirmed())
+    return guarded(lambda: _Comparison(left, operator, right, domain, terms).confirmed())
 
 
 class _Comparison:
-    def __init__(self, left: sp.Expr, operator: str, right: sp.Expr, domain: Domain) -> None:
+    def __init__(
+        self, left: sp.Expr, operator: str, right: sp.Expr, domain: Domain, terms: Terms | None
+    ) -> None:
         self.left, self.operator, self.right = left, operator, right
+        self.terms = terms
         self.domain = domain
         self.difference = subtract(left, right)
         self.symbols = sorted(self.difference.free_symbols, key=str)
@@ -69,7 +82,11 @@ class _Comparison:
         self.bounded = all(sp.oo not in (-a, b) for a, b in self.box.values())
 
     def confirmed(self) -> Answer:
-        return confirmed_order(self.where_asserted(self.answer()), [self.failure], self.region)
+        answer = self.where_asserted(self.answer())
+        if self.question is None:
+            return answer
+        failure, region = self.question
+        return confirmed_order(answer, [failure], region)
 
     def where_asserted(self, answer: Answer) -> Answer:
         """Look for another witness, or a proof, where a witness is outside of the conditions."""
@@ -83,15 +100,16 @@ class _Comparison:
             return Proved(ENGINE)
         return self.by_algebra() or Undecided(ELSEWHERE, ENGINE)
 
-    @property
-    def failure(self) -> tuple[sp.Expr, str]:
-        """What the difference is at a counterexample."""
-        return self.difference, FAILS[self.operator]
-
-    @property
-    def region(self) -> Region:
-        """Where z3 looks for one."""
-        return Region(self.box, self.closed, tuple(self.domain.conditions))
+    @cached_property
+    def question(self) -> tuple[Comparison, Region] | None:
+        """How the printed sides stand at a counterexample, and where z3 looks for one."""
+        sides = self.left, self.right
+        try:
+            left, right = self.terms or map(term_of, sides)
+            region = region_of(self.box, self.closed, self.domain.conditions, sides)
+        except UnsupportedError:
+            return None
+        return Comparison(left, FAILS[self.operator], right), region
 
     def answer(self) -> Answer:
         if not self.symbols:
@@ -225,11 +243,14 @@ class _Comparison:
 
     def by_algebra(self) -> Answer | None:
         """Ask z3 for a counterexample; a point counts only where it is confirmed exactly."""
-        found = find_point([self.failure], self.region, steps=STEPS)
+        if self.question is None:
+            return None
+        failure, region = self.question
+        found = find_point([failure], region, steps=STEPS)
         if isinstance(found, Nowhere):
             return Proved(("z3",))
         if isinstance(found, Somewhere):
-            near = _points_near({symbol: found.point[symbol] for symbol in self.symbols})
+            near = _points_near({symbol: found.point[symbol.name] for symbol in self.symbols})
             for point in islice(near, MOST_CANDIDATES):
                 if self.is_counterexample(point):
                     return Refuted((*ENGINE, "z3"), self.witness(point))

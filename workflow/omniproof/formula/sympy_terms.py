@@ -46,6 +46,7 @@ NAMES: dict[Any, str] = {function: name for name, function in SYMPY_FUNCTIONS.it
 COMPARE: dict[str, Callable[..., Any]] = {
     "=": sp.Eq, "<": sp.Lt, ">": sp.Gt, "\\leq": sp.Le, "\\geq": sp.Ge, "\\neq": sp.Ne,
 }  # fmt: skip
+_OPERATORS = {relation: operator for operator, relation in COMPARE.items()}
 JOIN: dict[str, Callable[..., Any]] = {"and": sp.And, "or": sp.Or, "equivalent": sp.Equivalent}
 
 
@@ -111,6 +112,17 @@ def _call(node: Any) -> Term:
     if not (name and node.args) or isinstance(node, sp.Piecewise):
         raise UnsupportedError(_refusal(node))
     return Call(name, tuple(map(_term, node.args)))
+
+
+def comparison_of(relation: Any) -> Comparison:
+    """Return a relation of SymPy as a comparison of terms; raises `UnsupportedError`."""
+    return Comparison(term_of(relation.lhs), _OPERATORS[relation.func], term_of(relation.rhs))
+
+
+def end_of(end: Any) -> Term | None:
+    """Return the end of a range as a term; None for infinity."""
+    end = sp.sympify(end)
+    return None if end.is_infinite else term_of(end)
 
 
 def positive_names(*expressions: Any) -> frozenset[str]:
