@@ -17,12 +17,9 @@ from flint import arb, fmpq
 
 from omniproof.decide.balls import compile_balls
 from omniproof.decide.normal_form.form import normal_form
-from omniproof.formula.angle import CIRCULAR
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.term import Call, Sum, Symbol, Term, rebuild, subtract, symbols, walk
-
-FEWEST = 300
-"""With fewer operations, the normal form itself is as quick."""
 
 
 def vanishes_in_parts(left: Term, right: Term) -> bool:
@@ -30,11 +27,9 @@ def vanishes_in_parts(left: Term, right: Term) -> bool:
 
     Where it is not defined is forgotten.
     """
-    difference = subtract(left, right)
-    if _sizes(difference)[difference] < FEWEST:
-        return False
     try:
-        found = next(filter(_seems_zero, _with_symbols_for_parts(difference)), None)
+        forms = _with_symbols_for_parts(subtract(left, right))
+        found = next(filter(_seems_zero, forms), None)
         return found is not None and normal_form(found).is_zero
     except UnsupportedError:
         return False

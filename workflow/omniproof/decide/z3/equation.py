@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from omniproof.decide.z3.translation import OutsideError, Translation, refuse_large
-from omniproof.formula.angle import CIRCULAR
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.monomials import expand, joined
 from omniproof.formula.term import Call, Pi, Term, symbols, walk
 

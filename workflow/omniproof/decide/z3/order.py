@@ -27,8 +27,9 @@ from omniproof.decide.z3.translation import (
     Translation,
     refuse_large,
 )
-from omniproof.formula.angle import CIRCULAR, angle_of, inverse_function
+from omniproof.formula.angle import angle_of, inverse_function
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import (
     PI,

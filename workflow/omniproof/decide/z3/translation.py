@@ -15,7 +15,8 @@ from math import lcm
 from typing import Any, NamedTuple, TypeAlias
 
 from omniproof.decide.z3.corners import corner
-from omniproof.formula.angle import CIRCULAR, angle_of, circular, inverse_function
+from omniproof.formula.angle import angle_of, circular, inverse_function
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import (
     Call,
