@@ -127,6 +127,10 @@ def test_records_are_plain_text_in_the_csv_only(
     assert Ledger.model_validate_json(ledger(row).model_dump_json()) == ledger(row)
 
 
+def test_rows_are_members_of_sets() -> None:
+    assert len({RIGHT, WRONG, WRONG.model_copy()}) == 2
+
+
 def test_files_read_back_and_have_the_same_bytes_every_time(tmp_path: Path) -> None:
     for name in ("first", "second"):
         write_json(LEDGER, tmp_path / f"{name}.json")

@@ -26,8 +26,12 @@ class Counterexample(Record):
 
     def __str__(self) -> str:
         """Write `alpha_1=2/7; printed=0.84; derived=-0.31`, the form of the CSV."""
-        values = self.point | {"printed": self.printed, "derived": self.derived}
-        return "; ".join(f"{name}={value}" for name, value in values.items())
+        values = [*self.point.items(), ("printed", self.printed), ("derived", self.derived)]
+        return "; ".join(f"{name}={value}" for name, value in values)
+
+    def __hash__(self) -> int:
+        """Let rows be members of sets, although a mapping is none."""
+        return hash(str(self))
 
 
 class Range(Record):
