@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from omniproof.audit import confirm_decimals, decimals, enclosure
-from omniproof.audit.answer import Undecided
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import Rounding, format_fraction
 from omniproof.audit.zero_test import DisagreementError
 from omniproof.decide import balls
+from omniproof.decide.answer import Undecided
 from omniproof.decide.prime_fields.zero import NonZero
 
 pi, sqrt, cos, sin = sp.pi, sp.sqrt, sp.cos, sp.sin
@@ -74,7 +74,7 @@ FLINT = [
     pytest.param(decimals, "_is_cut_off", lambda *_: False, sqrt(3), "1.7320", id="never cut off"),
     pytest.param(decimals, "_rounded", lambda v, u: 3 * u, sqrt(2), "1.4", id="correction"),
     pytest.param(
-        balls._FUNCTIONS, "sqrt", lambda v: -v.sqrt(), sqrt(2), "1.41", id="the other root"
+        balls.FUNCTIONS, "sqrt", lambda v: -v.sqrt(), sqrt(2), "1.41", id="the other root"
     ),
     pytest.param(decimals, "sign", lambda _: 0, sqrt(2), "1.41", id="all is exact"),
 ]

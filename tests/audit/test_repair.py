@@ -5,13 +5,13 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.answer import Proved
 from omniproof.audit.approximate import POINTS, agree, at_points
 from omniproof.audit.approximate import evaluate as evaluate_roughly
 from omniproof.audit.edits import edits
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, repair, repair_twice
 from omniproof.audit.zero_test import decide_equal
+from omniproof.decide.answer import Proved
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.model import Notation
 from omniproof.transcription.reader import read

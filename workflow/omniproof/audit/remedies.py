@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from omniproof.audit.answer import Answer, Proved
 from omniproof.audit.approximate import ShapeError, Values, at_points, evaluate
 from omniproof.audit.definitions import definitions
 from omniproof.audit.direct import heard_on
@@ -18,6 +17,7 @@ from omniproof.audit.setting import Assumptions, Setting
 from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_unclear
 from omniproof.audit.zero_test import decide_equal
+from omniproof.decide.answer import Answer, Proved
 from omniproof.formula import evaluation
 from omniproof.formula.errors import UnsupportedError
 from omniproof.transcription import tree
