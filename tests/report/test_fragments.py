@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.ledger import Ledger
 from omniproof.report.fragments import Chapter, Overview, in_text, values
 from omniproof.report.fragments.base import results_folder
@@ -97,22 +98,26 @@ def test_steps_stay_in_their_list() -> None:
 
 
 @pytest.mark.parametrize(
-    ("witness", "expected"),
+    ("point", "expected"),
     [
-        pytest.param("x=1; printed=2; derived=3", r"at \(x=1\): printed 2, derived 3", id="point"),
-        pytest.param("printed=2; derived=3", "printed 2, derived 3", id="no point"),
+        pytest.param({"x": "1"}, r"at \(x=1\): ", id="point"),
+        pytest.param({}, "", id="no point"),
         pytest.param(
-            "v_1(t)=1; int_v_1_from_0(t)=2",
+            {"v_1(t)": "1", "int_v_1_from_0(t)": "2"},
             r"at \(v_{1}(t)=1\), \(\int_{0}^{t} v_{1}\,dt=2\): ",
             id="unknown function",
         ),
-        pytest.param("phi=2*pi/3", r"at \(\phi=2\pi /3\): ", id="multiple of pi"),
-        pytest.param("see the page", "see the page", id="words"),
-        pytest.param("", "", id="none"),
+        pytest.param({"phi": "2*pi/3"}, r"at \(\phi=2\pi /3\): ", id="multiple of pi"),
+        pytest.param({"printed": "1"}, r"at \(\mathrm{printed}=1\): ", id="any name"),
     ],
 )
-def test_witness(outline: type, witness: str, expected: str) -> None:
-    assert outline(witness_html(witness)).text == expected
+def test_witness(outline: type, point: dict[str, str], expected: str) -> None:
+    witness = Counterexample(point=point, printed="a; b=2", derived="3")
+    assert outline(witness_html(witness)).text == f"{expected}printed a; b=2, derived 3"
+
+
+def test_no_witness() -> None:
+    assert witness_html(None) == ""
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict
 from omniproof.report.anchors import anchor
 from omniproof.report.cards import opened
@@ -198,13 +199,16 @@ def test_a_note_stands_whole(chapter: Chapter, outline: type, note: str, verdict
 @settings(deadline=None, max_examples=100)
 @given(
     verdict=st.sampled_from(Verdict),
+    texts=st.lists(TEXT, min_size=4, max_size=4),
     fields=st.fixed_dictionaries(
-        dict.fromkeys(["where", "printed", "derived", "correction", "witness", "note"], TEXT)
+        dict.fromkeys(["where", "printed", "derived", "correction", "note"], TEXT)
     ),
 )
 def test_no_text_of_a_row_becomes_markup(
-    outline: type, verdict: Verdict, fields: dict[str, str]
+    outline: type, verdict: Verdict, texts: list[str], fields: dict[str, str]
 ) -> None:
-    row = Row(paper="p", id="eq:1", kind=Kind.IDENTITY, verdict=verdict, **fields)
+    name, value, printed, derived = texts
+    witness = Counterexample(point={name: value}, printed=printed, derived=derived)
+    row = Row(paper="p", id="eq:1", kind=Kind.IDENTITY, verdict=verdict, witness=witness, **fields)
     found = outline(said_html(row, lambda _: "#x") + details_html(row, lambda _: "#x"))
     assert set(found.tags) <= ALLOWED

@@ -124,7 +124,7 @@ def card_faults(page: str, text: str, ledger: Ledger, derived: Derived) -> Itera
     `text`: of the page with all rows opened. Every row has its whole note; a faulty one has more.
     """
     cards = Cards(text).cards
-    notes = set_formulas(note_html(row.note, lambda _: None) for row in ledger.rows)
+    notes = set_formulas(note_html(row.remark, lambda _: None) for row in ledger.rows)
     for row, note in zip(ledger.rows, notes, strict=True):
         card = cards.get(f"#{anchor(row.id)}")
         lacking = [] if card is None or _says(card, note) else ["its whole note"]

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 from html import escape
 
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row
 from omniproof.report.anchors import anchor
 from omniproof.report.changes import Changes
@@ -154,18 +155,13 @@ def engine_names(engines: str) -> str:
     return escape(", ".join(ENGINES.get(name, name) for name in engines.split("+")))
 
 
-def witness_html(witness: str) -> str:
-    """Return `alpha_1=2/7; printed=0.84; derived=-0.31` as a sentence with formulas."""
-    if not witness:
+def witness_html(witness: Counterexample | None) -> str:
+    """Return a counterexample as a sentence with formulas."""
+    if witness is None:
         return ""
-    pairs = [part.partition("=") for part in witness.split("; ")]
-    if not all(sign for _, sign, _ in pairs):
-        return inline(witness)
-    named = [(n, v) for n, _, v in pairs if n not in {"printed", "derived"}]
-    point = [f"{symbol_latex(n)}={_coordinate(v)}" for n, v in named]
-    sides = [f"{n} {inline(v)}" for n, _, v in pairs if n in {"printed", "derived"}]
-    at = "at " + ", ".join(math(latex) for latex in point) + ": " if point else ""
-    return at + ", ".join(sides)
+    point = [f"{symbol_latex(name)}={_coordinate(x)}" for name, x in witness.point.items()]
+    at = f"at {', '.join(map(math, point))}: " if point else ""
+    return f"{at}printed {inline(witness.printed)}, derived {inline(witness.derived)}"
 
 
 def _coordinate(text: str) -> str:

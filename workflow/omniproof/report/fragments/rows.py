@@ -13,6 +13,7 @@ from html import escape
 from pathlib import Path
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict
+from omniproof.audit.places import where
 from omniproof.report.anchors import anchor, rows_anchor
 from omniproof.report.changes import changes
 from omniproof.report.derived import Derived
@@ -22,7 +23,6 @@ from omniproof.report.fragments.base import (
     badge,
     link,
     note_html,
-    place_of_group,
     worst,
 )
 from omniproof.report.fragments.claims import facts_html, matrix_html
@@ -67,7 +67,7 @@ def _whole(group: Group, addresses: Addresses) -> str:
     return (
         f'<tr class="whole v-{verdict}"{address}><th scope="rowgroup" colspan="{len(HEAD)}">'
         f"{badge(verdict, f'{count} of {len(group.rows)}')} "
-        f"{inline(place_of_group(group.rows[0].where))}{matrix_html(group)}</th></tr>"
+        f"{inline(where(group.base))}{matrix_html(group)}</th></tr>"
     )
 
 
@@ -99,7 +99,7 @@ def said_html(row: Row, href: Href, *, bare: bool = False) -> str:
         return "" if bare else _labelled("", printed, href, "printed")
     correct = changed.corrected if changed else row.correction or row.derived
     follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
-    note = note_html(row.note, href) + follows
+    note = note_html(row.remark, href) + follows
     lines = (
         _labelled(_printed(row), "" if bare else printed, href, "printed"),
         _labelled("correct", correct, href),
@@ -136,8 +136,8 @@ def details_script(ledger: Ledger) -> str:
 
 def details_html(row: Row, href: Href, derived: Derived | None = None) -> str:
     """Return all that is known of a row: its note, where its line does not say it, and facts."""
-    said = row.verdict is not Verdict.VERIFIED or not row.note
-    note = "" if said else f'<p class="note">{note_html(row.note, href)}</p>'
+    said = row.verdict is not Verdict.VERIFIED or not row.remark
+    note = "" if said else f'<p class="note">{note_html(row.remark, href)}</p>'
     changed = changes(row.printed, row.correction) if row.correction else None
     return note + facts_html(row, href, derived, changed)
 
