@@ -49,7 +49,7 @@ def book(tmp_path: Path) -> Path:
     styles.mkdir()
     for name in ("fontawesome.js", "fontawesome.js.map", "bootstrap.js"):
         (tmp_path / "_static" / "scripts" / name).touch()
-    rules = '.fa-0:before{content:"0"}.fa-a:before,.fa-b:before{content:"\\f1"}.fa{font-size:1em}'
+    rules = ".math{color:red}.card{color:blue}"
     (styles / "pydata-sphinx-theme.css").write_text(rules, encoding="utf-8")
     for name in ("index.html", "search.html"):
         text = rf'{HEAD}<span class="math x">\(\alpha + 1\)</span>'
@@ -74,8 +74,12 @@ def test_the_icon_font_is_gone(book: Path) -> None:
     finish(book)
     static = book / "_static"
     assert [path.name for path in (static / "scripts").iterdir()] == ["bootstrap.js"]
-    theme = (static / "styles" / "pydata-sphinx-theme.css").read_text(encoding="utf-8")
-    assert theme == ".fa{font-size:1em}"
+
+
+def test_rules_for_no_element_are_gone(book: Path) -> None:
+    finish(book)
+    theme = book / "_static" / "styles" / "pydata-sphinx-theme.css"
+    assert theme.read_text(encoding="utf-8") == ".math{color:red}"
 
 
 def font(style_sheet: str) -> TTFont:

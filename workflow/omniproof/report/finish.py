@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import shutil
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from html import unescape
 from itertools import chain
 from pathlib import Path
@@ -16,6 +16,7 @@ from omniproof.report.fragments.rows import FOLDER, details_text, read_details
 from omniproof.report.latexfmt import TAG
 from omniproof.report.mathfont import font_face
 from omniproof.report.mathml import Formula, mathml
+from omniproof.report.stylesheets import used_rules
 
 FONT = "mathfont.css"
 
@@ -26,6 +27,8 @@ _FORMULA = re.compile(
 )
 _SIGNS = re.compile(r"<math.*?</math>", re.DOTALL)
 _TAG = re.compile(r"<[^>]*>")
+_CLASSES = re.compile(r'\bclass="([^"]*)"')
+_WORD = re.compile(r"[\w-]+")
 _SEARCH_PAGE = "search.html"
 _OF_SEARCH = re.compile(
     r'\s*<script src="(?:_static/searchtools|_static/language_data|searchindex)\.js[^>]*></script>'
@@ -46,7 +49,6 @@ _USED_BY = {
 }
 """Scripts, and what a page has in it that they work on."""
 
-_ICON_RULES = re.compile(r'(?:\.fa-[\w-]+:before,?)+\{content:"[^"}]*"\}')
 _UNUSED_FILES = (
     "scripts/*.map", "styles/*.map", "scripts/fontawesome*", "vendor/fontawesome", "locales",
     "design-tabs.js", "togglebutton.*", "sphinx-thebe.*", "sphinx-design.min.css",
@@ -71,13 +73,23 @@ def finish(html: Path) -> None:
     _lighten(html / "_static", texts)
 
 
-def _lighten(static: Path, texts: Iterable[str]) -> None:
+def _lighten(static: Path, texts: Sequence[str]) -> None:
     """Write the font, and take off what the theme brings unused."""
     (static / FONT).write_text(font_face(_signs(texts)), encoding="utf-8")
     for path in {file for pattern in _UNUSED_FILES for file in static.glob(pattern)}:
         shutil.rmtree(path) if path.is_dir() else path.unlink()
-    theme = static / "styles" / "pydata-sphinx-theme.css"
-    theme.write_text(_ICON_RULES.sub("", theme.read_text(encoding="utf-8")), encoding="utf-8")
+    classes = set(_classes(texts, static))
+    for path in static.rglob("*.css"):
+        path.write_text(used_rules(path.read_text(encoding="utf-8"), classes), encoding="utf-8")
+
+
+def _classes(texts: Iterable[str], static: Path) -> Iterator[str]:
+    """Yield the classes of all elements, and every word of a script, which may make elements."""
+    for text in texts:
+        for names in _CLASSES.findall(text):
+            yield from names.split()
+    for script in static.rglob("*.js"):
+        yield from _WORD.findall(script.read_text(encoding="utf-8"))
 
 
 def set_formulas(texts: Iterable[str]) -> list[str]:
