@@ -154,7 +154,8 @@ class _Editor:
         if opens:
             yield self.edit(Edit.MINUS, span, "-", "insert -")
         for factor in FACTORS:
-            yield self.edit(Edit.FACTOR, span, factor, f"insert {factor}")
+            if not (factor.isdecimal() and here.kind == "number"):  # they would be one number
+                yield self.edit(Edit.FACTOR, span, factor, f"insert {factor}")
         for word in self.words:
             yield self.edit(Edit.SYMBOL, span, word.latex, f"insert {word.latex}")
 

@@ -42,7 +42,7 @@ class Printed:
             raise ShapeError("it has no value at any point")
         self.wrong = self.apart(values, self.target)
         self.has_relations = any(isinstance(n, tree.Comparison) for n in tree.walk(self.root))
-        self.parts = sorted(self.closed(), key=self.length)
+        self.parts = sorted(self.closed(), key=lambda part: part[0][1] - part[0][0])
 
     def learn(self, path: Path, node: tree.Node) -> Values:
         """Evaluate the printed tree, and keep the values of every part."""
@@ -61,16 +61,22 @@ class Printed:
         except KeyError:
             raise ShapeError(f"no values of {node.name}") from None
 
-    def closed(self) -> Iterator[Path]:
-        """Yield the parts between brackets or separators that read the same by themselves."""
+    def closed(self) -> Iterator[tuple[Span, Path]]:
+        """Yield the parts in brackets or between separators, and where they may be edited alone.
+
+        Those are the parts that read the same by themselves. The place before a bracket of a part
+        is no place in it: a sign there would be one between terms.
+        """
         tokens = tokenize(self.text)
-        begins = {right.span[0] for left, right in pairwise(tokens) if _opens(left)}
-        ends = {left.span[1] for left, right in pairwise(tokens) if _closes(right)}
-        begins.add(tokens[0].span[0])
-        ends.add(tokens[-1].span[1])
+        begins = {right.span[0]: right.span[0] for left, right in pairwise(tokens) if _opens(left)}
+        ends = {left.span[1]: left.span[1] for left, right in pairwise(tokens) if _closes(right)}
+        begins |= {tokens[0].span[0]: 0} | {t.span[0]: t.span[1] for t in tokens if _opens(t)}
+        ends |= {tokens[-1].span[1]: len(self.text)}
+        ends |= {t.span[1]: t.span[0] for t in tokens if _closes(t)}
         for path, (node, _) in self.known.items():
-            if path and node.span[0] in begins and node.span[1] in ends and self.reads_alone(node):
-                yield path
+            begin, end = node.span
+            if path and begin in begins and end in ends and self.reads_alone(node):
+                yield (begins[begin], ends[end]), path
 
     def reads_alone(self, node: tree.Node) -> bool:
         """Whether a part is the same without what stands around it."""
@@ -79,15 +85,9 @@ class Printed:
         except LatexError:
             return False
 
-    def length(self, path: Path) -> int:
-        """Return how long the text of a part is."""
-        begin, end = self.known[path][0].span
-        return end - begin
-
     def around(self, span: Span) -> Path:
         """Find the smallest closed part that holds a place of the text."""
-        for path in self.parts:
-            begin, end = self.known[path][0].span
+        for (begin, end), path in self.parts:
             if begin <= span[0] and span[1] <= end:
                 return path
         return ()

@@ -58,14 +58,14 @@ class Search:
     def double(self) -> Iterator[Repair]:
         """Yield the pairs of edits that no point shows to be wrong."""
         near = [edit for edit in self.edits if self.may_reach(edit, np.any)]
-        seen: set[tree.Node] = set()
         if len(near) > MOST_FOR_PAIRS:
             return
+        seen: set[tuple[Path, tree.Node]] = set()
         for pair in self.pairs(self.changes(near)[:MOST_GROUPS]):
             both = self.joined(*pair)
-            if both is not None and both[0] not in seen:
-                seen.add(both[0])
-                yield both[1]
+            if both is not None and (both.path, both.node) not in seen:
+                seen.add((both.path, both.node))
+                yield both.edit
 
     def may_reach(self, edit: Repair, enough: Callable[[NDArray[np.bool_]], np.bool_]) -> bool:
         """Whether a part that is edited reaches enough of the entries that are wrong."""
@@ -147,7 +147,7 @@ class Search:
         for i, k in np.argwhere(self.is_right(values, (len(first), len(second)))):
             yield first[i], second[k]
 
-    def joined(self, one: Change, other: Change) -> tuple[tree.Node, Repair] | None:
+    def joined(self, one: Change, other: Change) -> Change | None:
         """Make both edits, where they leave each other alone and may be right together."""
         first, second = sorted((one.edit, other.edit), key=lambda edit: edit.span)
         # One edit would be made on text that the other has replaced.
@@ -157,16 +157,12 @@ class Search:
         between = self.text[first.span[1] : second.span[0]]
         new = first.replacement(self.text) + between + second.replacement(self.text)
         text = self.text[:begin] + new + self.text[end:]
+        description = f"{first.description}; {second.description}"
+        both = Repair(max(first.kind, second.kind), (begin, end), description, text)
         try:
-            node = self.misprint.judged(text)
-            right = agree(evaluate(node, self.printed.meaning), self.printed.target)
+            return next(self.right([self.change(both)]), None)
         except (ShapeError, LatexError):
             return None
-        if not right.all():
-            return None
-        kind = max(first.kind, second.kind)
-        description = f"{first.description}; {second.description}"
-        return node, Repair(kind, (begin, end), description, text)
 
 
 def edits_of(misprint: Misprint, node: tree.Node | None = None) -> list[Repair]:

@@ -221,8 +221,9 @@ def _chain(node: tree.Chain, sides: Sequence[Values]) -> Values:
 
 
 def _gap(left: Values, right: Values) -> Values:
-    """How far two values are apart, for their size."""
-    return np.abs(_plus(left, -right)) / (1 + np.abs(left))
+    """How far two values are apart: 0 where floats cannot tell."""
+    gap = _plus(left, -right)
+    return np.where(np.abs(gap) <= TOLERANCE * (1 + np.abs(left)), 0.0, gap)
 
 
 def _column_of(value: Values) -> Values:
@@ -233,11 +234,8 @@ def _column_of(value: Values) -> Values:
 def _comparison(node: tree.Comparison, left: Values, right: Values) -> Values:
     """0 where a relation holds, or may hold as far as floats can tell, and 1 where it fails."""
     gap = _gap(_number(left), _number(right))
-    holds = gap > TOLERANCE if node.operator == "\\neq" else gap <= TOLERANCE
-    holds |= left < right if node.operator in {"<", "\\leq"} else left > right
-    if node.operator == "\\neq":
-        holds |= left < right
-    return np.where(np.isfinite(gap), ~holds, np.nan)
+    holds = {"<": gap <= 0, "\\leq": gap <= 0, ">": gap >= 0, "\\geq": gap >= 0, "\\neq": gap != 0}
+    return np.where(np.isfinite(gap), ~holds[node.operator], np.nan)
 
 
 def _any(parts: Sequence[Values]) -> Values:
