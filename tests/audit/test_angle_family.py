@@ -8,7 +8,8 @@ import pytest
 from sympy import And, Rational, oo, pi, symbols
 
 from omniproof.audit.angle_family import instance
-from omniproof.audit.answer import Domain, Proved, Refuted, Undecided
+from omniproof.audit.sympy_domain import Domain
+from omniproof.decide.answer import Proved, Refuted, Undecided
 
 s, t = symbols("s t", real=True)
 

@@ -9,22 +9,14 @@ import sympy as sp
 from sympy import Abs, Integer, Rational, Symbol, cos, pi, sin, sqrt, symbols
 
 from omniproof.audit import extrema, sign_chart, signs, smt, smt_order
-from omniproof.audit.answer import (
-    REALS,
-    Answer,
-    Domain,
-    OnBranch,
-    Proved,
-    Refuted,
-    Undecided,
-    Witness,
-)
 from omniproof.audit.comparison import compare
 from omniproof.audit.confirm_order import confirmed_order
 from omniproof.audit.positivity import Positive
 from omniproof.audit.relations import judge
 from omniproof.audit.smt_order import Region
+from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.registry import Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 

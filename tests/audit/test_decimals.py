@@ -8,7 +8,6 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.decimals import (
     Rounding,
     classify,
@@ -16,6 +15,7 @@ from omniproof.audit.decimals import (
     read_decimal,
     solve_for,
 )
+from omniproof.decide.answer import Undecided
 
 t = sp.Symbol("t", real=True)
 pi, sqrt, cos, sin = sp.pi, sp.sqrt, sp.cos, sp.sin

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from omniproof.audit.answer import REALS, Domain, Proved, Refuted, Undecided
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import flattened, without_integrals
+from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.decide.answer import Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 
 t, s = sp.symbols("t s", real=True)

@@ -9,10 +9,10 @@ import sympy as sp
 from mpmath import mp
 
 from omniproof.audit import digits, mutation
-from omniproof.audit.answer import Proved, Refuted
 from omniproof.audit.mutants import KINDS, Spelled, mutants
 from omniproof.audit.mutation import FLAGGED, Fate, originals, study
 from omniproof.audit.run import prepare_to_judge
+from omniproof.decide.answer import Proved, Refuted
 from omniproof.formula.evaluation import evaluate
 from omniproof.repair.kinds import Edit, Repair
 from omniproof.repair.misprint import Mended

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 from sympy import Abs, Integer, Rational, cos, pi, sin, sqrt, symbols
 
-from omniproof.audit.answer import OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.relations import judge, merge
+from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 

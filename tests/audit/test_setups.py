@@ -7,7 +7,6 @@ import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.decimals import Rounding, format_fraction
 from omniproof.audit.intervals import Piece
 from omniproof.audit.ranges import POSITIVE, Reading, contains
@@ -19,6 +18,7 @@ from omniproof.audit.setups import (
     readings_left,
     solve,
 )
+from omniproof.decide.answer import Undecided
 
 V, r, w, x, y = sp.symbols("V r w x y", real=True)
 pi, sqrt, Q = sp.pi, sp.sqrt, sp.Rational

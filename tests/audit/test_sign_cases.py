@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 from sympy import And, Gt, Integer, Lt, Ne, Or, Symbol, pi, symbols
 
-from omniproof.audit.answer import Proved, Refuted, Undecided
 from omniproof.audit.sign_cases import equivalent
+from omniproof.decide.answer import Proved, Refuted, Undecided
 
 x, y, z = symbols("x y z", real=True)
 u = Symbol("u", positive=True)

@@ -9,8 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from identity_table import BRANCH, ROWS, Row, x, y, z
 
-from omniproof.audit.answer import Domain, OnBranch, Proved, Refuted, Undecided
+from omniproof.audit.sympy_domain import Domain
 from omniproof.audit.zero_test import DisagreementError, decide, decide_equal
+from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided
 from omniproof.decide.normal_form import angles, quotient_ring
 from omniproof.decide.normal_form.radicals import Extension
 

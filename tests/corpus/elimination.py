@@ -17,8 +17,8 @@ import sympy as sp
 from questions import ask
 
 from corpus import load
-from omniproof.audit.answer import Proved
 from omniproof.audit.zero_test import decide_equal
+from omniproof.decide.answer import Proved
 
 RADIUS = sp.Symbol("r", positive=True)
 SPEEDS = sp.symbols("v_1:4", real=True)

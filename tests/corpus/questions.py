@@ -14,10 +14,11 @@ from typing import Any
 import sympy as sp
 
 from corpus import Record
-from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.comparison import compare
 from omniproof.audit.confirm import confirmed_equal
+from omniproof.audit.sympy_domain import Domain
 from omniproof.audit.zero_test import decide_equal
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name

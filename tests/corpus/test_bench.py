@@ -15,8 +15,9 @@ from elimination import direct, staged
 from questions import Question
 from rivals import CAN_OWN, EASY, SYSTEMS, Timed, timed
 
-from omniproof.audit.answer import Domain, Proved, Refuted
+from omniproof.audit.sympy_domain import Domain
 from omniproof.audit.zero_test import decide_equal
+from omniproof.decide.answer import Proved, Refuted
 
 TINY = r"""
 - {id: easy, latex: '\sin^2 x + \cos^2 x = 1', expected: proved, source: standard}

@@ -7,8 +7,8 @@ import pytest
 from questions import ask, decision
 
 from corpus import load
-from omniproof.audit.answer import OnBranch, Refuted
 from omniproof.audit.confirm import confirmed_equal
+from omniproof.decide.answer import OnBranch, Refuted
 
 
 @pytest.mark.slow

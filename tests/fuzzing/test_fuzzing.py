@@ -23,9 +23,9 @@ from mpmath import mp
 from sympy import Symbol
 
 from omniproof.audit import digits
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.mutants import Spelled, mutants
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.repair.kinds import Repair

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 import sphere_oracle as oracle
 
-from omniproof.audit.answer import Proved
 from omniproof.audit.relations import judge
 from omniproof.audit.theorems import prove_all
+from omniproof.decide.answer import Proved
 from omniproof.papers.three_roller_sphere.answers import (
     elevations_of_printed,
     patterns,

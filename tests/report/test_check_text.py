@@ -6,8 +6,8 @@ import json
 
 import pytest
 
-from omniproof.audit.answer import Witness
 from omniproof.audit.check import CheckResult, Finding
+from omniproof.decide.answer import Witness
 from omniproof.door import Said, say
 from omniproof.repair.kinds import Edit, Repair
 from omniproof.report.check_text import COLOURS, check_json, check_text

@@ -12,11 +12,11 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.exact import subtract
 from omniproof.audit.intervals import Piece, condition_latex, in_degrees
 from omniproof.audit.quotient import OnBox, Quotient
 from omniproof.audit.signs import OPEN, Closed, guarded, sign_on
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.registry import Ordered
 
 ENGINE = ("flint",)

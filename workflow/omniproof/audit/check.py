@@ -15,7 +15,6 @@ from functools import cache, partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, assert_never
 
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.definedness import conditions, lost_conditions
 from omniproof.audit.definitions import Definitions, definitions
@@ -23,6 +22,7 @@ from omniproof.audit.direct import heard_on
 from omniproof.audit.setting import Assumptions, Setting, settle
 from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_if_false, refuse_mixed_differences, refuse_unclear
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.unfold import unfold

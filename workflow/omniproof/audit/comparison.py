@@ -18,16 +18,6 @@ from typing import Any, TypeAlias
 import sympy as sp
 from sympy.core.relational import Relational
 
-from omniproof.audit.answer import (
-    REALS,
-    Answer,
-    Domain,
-    OnBranch,
-    Proved,
-    Refuted,
-    Undecided,
-    Witness,
-)
 from omniproof.audit.balls import compile_balls, evaluate
 from omniproof.audit.confirm_order import confirmed_order
 from omniproof.audit.exact import sign, subtract, vanishes
@@ -36,6 +26,8 @@ from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, not_on_faces, sign_on
 from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
+from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import format_ball, rational_ball, sign_of
 from omniproof.decide.normal_form.angles import read_angle
 from omniproof.formula.errors import UnsupportedError

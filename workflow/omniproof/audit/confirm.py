@@ -13,11 +13,12 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import without_integrals
 from omniproof.audit.smt import Different, Equal, differ_somewhere
+from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.audit.zero_test import DisagreementError, Terms, both_terms, decide_equal
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import positive_names, term_if_any, term_of

@@ -18,7 +18,6 @@ from math import ceil, floor, trunc
 import sympy as sp
 from mpmath import mp
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.decimals import (
     Decimal,
     DecimalFinding,
@@ -30,6 +29,7 @@ from omniproof.audit.decimals import (
 from omniproof.audit.digits import DIGITS, UndefinedError, are_equal, known_value
 from omniproof.audit.enclosure import enclose
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.answer import Undecided
 from omniproof.decide.prime_fields.zero import NonZero, Zero, vanishes
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import number, subtract

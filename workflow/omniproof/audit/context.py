@@ -9,12 +9,12 @@ from typing import Any
 
 from sympy import Gt, Lt, MatrixBase, Symbol
 
-from omniproof.audit.answer import Domain
 from omniproof.audit.definedness import lost_conditions
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
+from omniproof.audit.sympy_domain import Domain
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import Function, Lifted, evaluate
 from omniproof.formula.sympy_terms import Converter

@@ -21,8 +21,9 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 from sympy.core.function import AppliedUndef
 
-from omniproof.audit.answer import Domain, Refuted, Witness
 from omniproof.audit.sampling import Sample, sample_points
+from omniproof.audit.sympy_domain import Domain
+from omniproof.decide.answer import Refuted, Witness
 from omniproof.decide.balls import format_ball
 from omniproof.formula.errors import UnsupportedError
 

@@ -14,10 +14,10 @@ from fractions import Fraction
 
 import sympy as sp
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.balls import evaluate
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.preimage import solve_for
+from omniproof.decide.answer import Undecided
 from omniproof.decide.balls import format_ball
 from omniproof.formula.errors import UnsupportedError
 

@@ -20,7 +20,6 @@ from typing import Any, TypeAlias
 import sympy as sp
 from mpmath import mp
 
-from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.digits import (
     DIGITS,
     Found,
@@ -34,7 +33,9 @@ from omniproof.audit.digits import (
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.setting import Setting
 from omniproof.audit.statement import Link
+from omniproof.audit.sympy_domain import Domain
 from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree

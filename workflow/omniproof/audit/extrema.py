@@ -14,7 +14,6 @@ from typing import Any, assert_never
 
 import sympy as sp
 
-from omniproof.audit.answer import Answer, Proved, Refuted, Undecided
 from omniproof.audit.balls import exact_number
 from omniproof.audit.box import Box
 from omniproof.audit.exact import subtract, vanishes
@@ -33,6 +32,7 @@ from omniproof.audit.signs import (
     on_face,
     sign_on,
 )
+from omniproof.decide.answer import Answer, Proved, Refuted, Undecided
 
 __all__ = ["concave", "prove_extremum", "sign_on"]
 

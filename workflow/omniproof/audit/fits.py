@@ -12,13 +12,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.ranges import Reading, show
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.setups import Cell, Solution, check_setup, contradicting, solve
+from omniproof.decide.answer import Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Fit
 from omniproof.transcription.model import Claim

@@ -18,11 +18,12 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from omniproof.audit.answer import REAL_LINE, REALS, Domain, Proved
 from omniproof.audit.branches import named_parts
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.signs import sign_on
+from omniproof.audit.sympy_domain import REAL_LINE, REALS, Domain
+from omniproof.decide.answer import Proved
 from omniproof.decide.normal_form.form import NormalForm
 from omniproof.decide.normal_form.radicals import Requirement
 from omniproof.formula.errors import UnsupportedError

@@ -8,15 +8,16 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries, flat
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.mending import mend_claim
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
+from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.audit.voice import Voice
 from omniproof.audit.zero_test import both_terms
+from omniproof.decide.answer import Answer, Proved, Refuted
 from omniproof.formula.sympy_terms import term_if_any, term_of
 from omniproof.formula.term import Term, multiply
 from omniproof.formula.value import Value

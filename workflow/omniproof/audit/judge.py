@@ -8,7 +8,6 @@ from dataclasses import replace
 from sympy import Expr, MatrixBase
 
 from omniproof.audit.angle_family import instance
-from omniproof.audit.answer import Answer, Proved, Refuted, Undecided
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
 from omniproof.audit.decimals import Rounding
@@ -19,6 +18,7 @@ from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sign_cases import equivalent
 from omniproof.audit.voice import Voice
+from omniproof.decide.answer import Answer, Proved, Refuted, Undecided
 from omniproof.formula.evaluation import evaluate
 from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
 from omniproof.transcription.model import ID, Claim, Form, Kind, Reading

@@ -8,12 +8,12 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from omniproof.audit.answer import Answer, Proved
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
 from omniproof.audit.relations import merge
 from omniproof.audit.voice import Voice
 from omniproof.audit.zero_test import both_terms
+from omniproof.decide.answer import Answer, Proved
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.grid import Grid

@@ -19,7 +19,6 @@ from typing import Any
 
 from sympy import MatrixBase, Rational, Symbol
 
-from omniproof.audit.answer import Answer, Domain, OnBranch, Proved, Refuted
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
 from omniproof.audit.digits import (
@@ -34,7 +33,9 @@ from omniproof.audit.digits import (
 from omniproof.audit.mending import mend_claim
 from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
 from omniproof.audit.run import prepare_to_judge
+from omniproof.audit.sympy_domain import Domain
 from omniproof.audit.voice import Voice
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim, Kind, Role

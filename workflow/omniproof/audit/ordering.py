@@ -11,9 +11,9 @@ from itertools import pairwise
 
 import sympy as sp
 
-from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import evaluate
 from omniproof.audit.exact import sign, subtract
+from omniproof.decide.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import format_ball
 from omniproof.formula.errors import UnsupportedError
 

@@ -9,11 +9,12 @@ from typing import Any, Protocol
 import sympy as sp
 from flint import fmpq
 
-from omniproof.audit.answer import Domain, Witness
 from omniproof.audit.balls import compile_balls, evaluate, exact_number
 from omniproof.audit.box import Box
 from omniproof.audit.exact import vanishes
 from omniproof.audit.sampling import sample_points
+from omniproof.audit.sympy_domain import Domain
+from omniproof.decide.answer import Witness
 from omniproof.decide.balls import format_ball, sign_of
 
 PROBES = 40

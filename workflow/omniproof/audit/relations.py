@@ -15,10 +15,11 @@ from typing import Any
 from sympy import Expr, Integer, latex
 
 from omniproof.audit import direct, ordering
-from omniproof.audit.answer import REALS, Answer, Domain, Proved, Refuted, Undecided, Witness
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.direct import Place, Statement, known_side, places
 from omniproof.audit.hypotheses import closed_ends, sign_under, with_box, within
+from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.decide.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form

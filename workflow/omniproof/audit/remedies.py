@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import cache
 
-from omniproof.audit.answer import Witness
 from omniproof.audit.definitions import definitions
 from omniproof.audit.direct import exact_place
 from omniproof.audit.setting import Assumptions, Setting
+from omniproof.decide.answer import Witness
 from omniproof.formula.errors import UnsupportedError
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Mended, Misprint

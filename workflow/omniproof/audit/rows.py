@@ -16,12 +16,12 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context
 from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.registry import Family
 from omniproof.transcription.model import Claim, Kind
 

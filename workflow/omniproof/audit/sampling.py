@@ -14,8 +14,8 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from omniproof.audit.answer import REALS, Domain
 from omniproof.audit.balls import evaluate, exact_number
+from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.balls import as_float, rational_ball, sign_of
 from omniproof.formula.errors import UnsupportedError
 

@@ -14,8 +14,8 @@ from typing import Any, NoReturn
 
 import sympy as sp
 
-from omniproof.audit.answer import REAL_LINE, Domain
 from omniproof.audit.exact import sign, subtract
+from omniproof.audit.sympy_domain import REAL_LINE, Domain
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.term import Symbol

@@ -23,7 +23,6 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import DecimalFinding, solve_for
 from omniproof.audit.exact import sign
@@ -43,6 +42,7 @@ from omniproof.audit.ranges import (
     show,
     stands_for,
 )
+from omniproof.decide.answer import Undecided
 from omniproof.formula.errors import UnsupportedError
 
 ENGINE = ("flint",)

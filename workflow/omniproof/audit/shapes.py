@@ -18,12 +18,13 @@ from typing import Any, TypeGuard
 
 import sympy as sp
 
-from omniproof.audit.answer import REALS, Answer, Domain, OnBranch, Proved, Refuted, Undecided
-from omniproof.audit.answer import Witness as Point
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.exact import sign
 from omniproof.audit.hypotheses import sign_under
 from omniproof.audit.signs import guarded
+from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.answer import Witness as Point
 from omniproof.formula.errors import UnsupportedError, WorkLimitError
 from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS
 from omniproof.registry import Curve

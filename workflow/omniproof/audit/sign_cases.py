@@ -16,7 +16,7 @@ from sympy import And, Symbol, latex, true
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import Boolean
 
-from omniproof.audit.answer import Answer, Proved, Refuted, Undecided, Witness
+from omniproof.decide.answer import Answer, Proved, Refuted, Undecided, Witness
 
 ENGINE = ("signs",)
 Case = Mapping[Symbol, int]

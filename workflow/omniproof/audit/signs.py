@@ -9,7 +9,6 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.audit.balls import evaluate
 from omniproof.audit.box import Box, middle
 from omniproof.audit.exact import sign, vanishes
@@ -17,6 +16,7 @@ from omniproof.audit.intervals import Piece, condition_latex, in_degrees, pieces
 from omniproof.audit.positivity import Open, Positive, prove_positive
 from omniproof.audit.quotient import Family, OnBox, Quotient
 from omniproof.audit.sign_chart import Chart, recognise, sign_chart
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import format_ball
 from omniproof.formula.errors import UnsupportedError
 

@@ -18,7 +18,6 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.answer import REAL_LINE
 from omniproof.audit.balls import evaluate
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.smt import (
@@ -29,6 +28,7 @@ from omniproof.audit.smt import (
     OutsideError,
     Translation,
 )
+from omniproof.audit.sympy_domain import REAL_LINE
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS
 

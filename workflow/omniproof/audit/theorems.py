@@ -14,8 +14,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from omniproof.audit.answer import Proved
 from omniproof.audit.relations import judge, merge
+from omniproof.decide.answer import Proved
 from omniproof.registry import Theorem
 
 

@@ -11,7 +11,6 @@ from typing import Any, TypeAlias
 from mpmath import mp
 from sympy import Integral, ilcm
 
-from omniproof.audit.answer import Answer, Refuted, Witness
 from omniproof.audit.context import Context
 from omniproof.audit.digits import DIGITS, Value, are_equal, known_value
 from omniproof.audit.direct import (
@@ -26,6 +25,7 @@ from omniproof.audit.direct import (
     printed_side,
 )
 from omniproof.audit.hypotheses import with_box
+from omniproof.decide.answer import Answer, Refuted, Witness
 from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.tree import Node, children
 

@@ -18,16 +18,6 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import ctx
 
-from omniproof.audit.answer import (
-    REALS,
-    Answer,
-    Domain,
-    OnBranch,
-    Proved,
-    Refuted,
-    Undecided,
-    Witness,
-)
 from omniproof.audit.balls import evaluate, exact_number
 from omniproof.audit.branches import Condition, find_condition
 from omniproof.audit.exact import subtract
@@ -35,6 +25,8 @@ from omniproof.audit.hypotheses import interior, settle
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import REACH, Sample, by_name, sample_points
 from omniproof.audit.signs import sign_on
+from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import Ball, Program, compile_balls, format_ball, rational_ball
 from omniproof.decide.normal_form.form import NormalForm, normal_form
 from omniproof.decide.normal_form.survey import is_radical

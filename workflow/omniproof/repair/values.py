@@ -21,10 +21,10 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy import Expr, MatrixBase, Symbol
 
-from omniproof.audit.answer import REALS, Domain
 from omniproof.audit.balls import compile_balls
 from omniproof.audit.integrals import flattened
 from omniproof.audit.sampling import Sample, sample_points
+from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.balls import rational_ball
 from omniproof.transcription import tree
 

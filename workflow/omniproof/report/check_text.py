@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 
-from omniproof.audit.answer import Witness
 from omniproof.audit.check import CheckResult, Finding
+from omniproof.decide.answer import Witness
 from omniproof.report.layout import detail, head
 
 COLOURS = {

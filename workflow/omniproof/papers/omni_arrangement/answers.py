@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 from sympy import Expr
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.decimals import read_decimal
 from omniproof.audit.preimage import solve_for
+from omniproof.decide.answer import Undecided
 from omniproof.kinematics import zonotope
 from omniproof.papers.omni_arrangement.arrangements import CORRECTED, SWEEP, isosceles
 from omniproof.papers.omni_arrangement.derivations.quantities import (

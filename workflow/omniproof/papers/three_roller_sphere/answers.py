@@ -7,9 +7,9 @@ from collections.abc import Mapping
 
 from sympy import Expr, pi, sqrt
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.decimals import read_decimal
 from omniproof.audit.preimage import solve_for
+from omniproof.decide.answer import Undecided
 from omniproof.papers.three_roller_sphere.derivations.simulation import at_pattern, extrema
 from omniproof.papers.three_roller_sphere.rollers import (
     AZIMUTHS,

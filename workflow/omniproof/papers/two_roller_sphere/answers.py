@@ -8,9 +8,9 @@ from itertools import pairwise
 
 from sympy import Expr, atan, lambdify, pi, rad, sqrt
 
-from omniproof.audit.answer import Undecided
 from omniproof.audit.decimals import read_decimal
 from omniproof.audit.preimage import solve_for
+from omniproof.decide.answer import Undecided
 from omniproof.papers.two_roller_sphere import closed_forms
 from omniproof.papers.two_roller_sphere.arrangement import DIRECTION
 from omniproof.papers.two_roller_sphere.symmetric import ANGLE, ANGLES, in_simulation

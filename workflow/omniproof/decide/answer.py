@@ -1,4 +1,4 @@
-"""What an engine answers, and over which domain it was asked.
+"""What an engine answers.
 
 "Not decided" is a value of the type: an engine neither raises nor guesses when it gives up.
 """
@@ -8,10 +8,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
-
-import sympy as sp
-
-REAL_LINE = (-sp.oo, sp.oo)
 
 Point = Mapping[str, str]
 """Symbol name -> rational number or decimal, as it is shown to a reader."""
@@ -75,24 +71,3 @@ class Undecided:
 
 
 Answer = Proved | Refuted | OnBranch | Undecided
-
-
-@dataclass(frozen=True)
-class Domain:
-    """Intervals of symbols, by symbol name; a symbol that is not named is any real number.
-
-    End points are exact SymPy numbers (`pi/2`, not 1.57). `conditions` are SymPy inequalities
-    between the symbols that hold as well. `closed` tells for (lower, upper) which ends belong to an
-    interval; without it, none does.
-    """
-
-    intervals: Mapping[str, tuple[Any, Any]] = field(default_factory=dict)
-    conditions: tuple[Any, ...] = ()
-    closed: Mapping[str, tuple[bool, bool]] = field(default_factory=dict)
-
-    def interval(self, name: str) -> tuple[Any, Any]:
-        """Return the ends between which a symbol lies."""
-        return self.intervals.get(name, REAL_LINE)
-
-
-REALS = Domain()
