@@ -7,7 +7,6 @@ by our own reader and never evaluated as code.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -33,17 +32,6 @@ from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError
 if TYPE_CHECKING:
     from omniproof.repair.kinds import Repair
     from omniproof.transcription.parses import Parse
-
-FOR_PAPERS = (
-    (r"declare `[^`]*` with `role: quantity`, or ", ""),
-    (r"declare (?:the symbol )?`[^`]*`, or ", ""),
-    (r"`slash: (first|all)`", r"`--slash \1`"),
-    (r" in the notation$", ""),
-    (r", or say it in `says`$", ""),
-    (r" (?:in|as) (?:a claim of its|claims of their) own$", " alone"),
-    (r" into several claims$", ""),
-)
-"""What cures say of paper files, and what they say of a formula that stands alone."""
 
 
 class Finding(StrEnum):
@@ -128,7 +116,7 @@ def _answered(printed: str, work: Callable[[], CheckResult]) -> CheckResult:
     try:
         return work()
     except LatexError as error:
-        return CheckResult(Finding.INVALID, _short(printed), message=_fault(error))
+        return CheckResult(Finding.INVALID, _short(printed), message=error.alone)
     except UnsupportedError as reason:
         return CheckResult(Finding.UNDECIDED, printed, message=f"not decided: {reason}")
     except RecursionError:
@@ -304,12 +292,6 @@ def _result(printed: str, steps: Sequence[Link], answers: Sequence[Answer]) -> C
 
 def _sentence(opening: str, place: str, note: str) -> str:
     return ": ".join(filter(None, [f"{opening} in {place}" if place else opening, note]))
-
-
-def _fault(error: LatexError) -> str:
-    for pattern, text in FOR_PAPERS:
-        error.cure = re.sub(pattern, text, error.cure)
-    return str(error)
 
 
 def _short(text: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -11,7 +11,7 @@ from sympy import MatrixBase
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries, flat
 from omniproof.audit.ledger import Repair, Row, Verdict
-from omniproof.audit.mending import mend_claim
+from omniproof.audit.mending import mend_claim, repaired
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sympy_domain import REALS, Domain
@@ -28,9 +28,6 @@ from omniproof.transcription.model import Claim
 from omniproof.transcription.parses import Parse, parses
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Node, Span
-
-MOST_SHOWN = 2
-"""Other edits that a note shows: a reader compares no more."""
 
 
 @dataclass(frozen=True)
@@ -122,18 +119,8 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context, voice: Voice) -> Row
         row = row.model_copy(update={"correction": row.derived, "assumption": cell.gap, **fields})
         return with_note(row, "It follows from a premise that mechanics contradicts")
     if mended := _mend(cell, place, voice):
-        first, *others = (edit.text for edit in mended.repairs)
-        grade = Repair.EXPLAINED if mended.size == 1 else Repair.POSSIBLE
-        row = row.model_copy(update={"correction": first, "repair": grade})
-        return with_note(row, _rivals(others))
+        return repaired(row, mended)
     return row.model_copy(update={"correction": row.derived, "repair": Repair.MANUAL})
-
-
-def _rivals(others: Sequence[str]) -> str:
-    """Say which other edits are as small as the correction; more than a few are only counted."""
-    if len(others) > MOST_SHOWN:
-        return f"{len(others)} other edits of the same size would make it true, too"
-    return f"as small an edit: ${'$, or $'.join(others)}$" if others else ""
 
 
 def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int, Parse | None]:

@@ -10,8 +10,12 @@ from sympy import MatrixBase
 
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
+from omniproof.audit.hypotheses import with_box
+from omniproof.audit.ledger import Repair as Grade
+from omniproof.audit.ledger import Row
 from omniproof.audit.relations import merge
-from omniproof.audit.voice import Voice
+from omniproof.audit.rows import with_note
+from omniproof.audit.voice import Box, Voice
 from omniproof.audit.zero_test import both_terms
 from omniproof.decide.answer import Answer, Proved
 from omniproof.formula.errors import UnsupportedError
@@ -21,12 +25,15 @@ from omniproof.formula.sympy_terms import term_if_any, term_of
 from omniproof.formula.term import multiply
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Mended, Misprint
-from omniproof.repair.values import Values, at_points
-from omniproof.transcription.model import Role
+from omniproof.repair.values import UNTOLD, Values, at_points
+from omniproof.transcription.model import Claim, Form, Role
 from omniproof.transcription.reader import read_with
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Node, Symbolic
+from omniproof.transcription.tree import Node, Symbolic, names
 
+MOST_SHOWN = 2
+"""Other edits that a note shows: a reader compares no more."""
 at_points_once = lru_cache(maxsize=1_000)(at_points)
 
 
@@ -61,6 +68,49 @@ def mend_claim(text: str, derived: Any, voice: Voice, factor: Any = 1) -> Mended
         familiar=lambda edited: any(edited in latex for latex in printed),
     )
     return mend(misprint)
+
+
+def mend_relation(
+    claim: Claim, proved: Callable[[Node], tuple[str, ...]], box: Box, context: Context
+) -> Mended | None:
+    """Return the least edit of a printed relation that makes it true, on the box of its subject.
+
+    `proved` names the engines that prove another printed tree. A chain ought to hold at all points;
+    what a condition or a set of angles ought to be is told by no number.
+    """
+    assert claim.asserts is not None
+    text, is_chain = context.printed(claim.id), claim.asserts.form is Form.CHAIN
+    read, _ = _reading(claim.id, context)
+    domain = with_box(context.domain(claim.id), box)
+
+    def meaning(node: Symbolic) -> Values:
+        try:
+            return at_points(evaluate(node, context.meanings_at(claim.id, node)), domain)
+        except (UnsupportedError, AttributeError, LatexError):
+            raise KeyError(node.name) from None
+
+    def proved_text(edited: str) -> tuple[str, ...]:
+        try:
+            return proved(read(edited))
+        except (LatexError, TypeError, UnsupportedError):
+            return ()
+
+    own = names(context.loaded.trees[claim.id])
+    words = tuple(s.latex for s in context.loaded.paper.symbols if symbol_name(s.latex) in own)
+    target = None if is_chain else UNTOLD
+    return mend(Misprint(text, read, read, proved_text, meaning, target, words))
+
+
+def repaired(row: Row, mended: Mended) -> Row:
+    """Add the correction to a row; other edits that are as small are named, or counted."""
+    first, *others = (edit.text for edit in mended.repairs)
+    grade = Grade.EXPLAINED if mended.size == 1 else Grade.POSSIBLE
+    row = row.model_copy(update={"correction": first, "repair": grade})
+    if len(others) > MOST_SHOWN:
+        told = f"{len(others)} other edits of the same size would make it true, too"
+    else:
+        told = f"as small an edit: ${'$, or $'.join(others)}$" if others else ""
+    return with_note(row, told)
 
 
 def _proved(node: Node, derived: Any, voice: Voice, factor: Any) -> tuple[str, ...]:

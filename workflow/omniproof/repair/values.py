@@ -31,6 +31,8 @@ from omniproof.transcription import tree
 Values: TypeAlias = NDArray[np.float64]
 POINTS = 6
 TOLERANCE = 1e-8
+UNTOLD = np.full((POINTS, 1, 1), np.nan)
+"""Values of what is no number."""
 AXES = {"x": 0, "y": 1, "z": 2}
 
 
