@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import combinations
 
+from omniproof.formula.functions import COMMANDS, FUNCTIONS
 from omniproof.repair.kinds import Edit, Repair, Word, edited, join, unbraced
 from omniproof.repair.regrouped import regrouped
 from omniproof.transcription import tree
@@ -19,11 +20,9 @@ from omniproof.transcription.tree import Span
 
 CONSTANTS = ("1", "2", "3", "4", "6", "8")
 FACTORS = ("2", "3", "4", r"\frac{1}{2}", r"\frac{1}{3}")
-FUNCTIONS = {
-    r"\sin": (r"\cos",),
-    r"\cos": (r"\sin",),
-    r"\tan": (r"\sin", r"\cos", r"\cot"),
-    r"\cot": (r"\tan",),
+NEIGHBOURS = {
+    f"\\{command}": tuple(FUNCTIONS[other].latex for other in FUNCTIONS[function].neighbours)
+    for command, function in COMMANDS.items()
 }
 RELATIONS = {
     "<": (">", r"\leq", r"\geq"),
@@ -89,8 +88,8 @@ class _Editor:
         for place, token in self.free:
             if token.text in SIGNS:
                 yield from self.flip(place, token)
-            elif token.text in FUNCTIONS:
-                yield from self.others(Edit.FUNCTION, token, FUNCTIONS[token.text])
+            elif token.text in NEIGHBOURS:
+                yield from self.others(Edit.FUNCTION, token, NEIGHBOURS[token.text])
             elif token.text in RELATIONS:
                 yield from self.others(Edit.RELATION, token, RELATIONS[token.text])
             elif token.kind == "number":

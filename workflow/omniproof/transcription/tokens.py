@@ -14,6 +14,7 @@ from difflib import get_close_matches
 from functools import lru_cache
 from typing import NamedTuple
 
+from omniproof.formula.functions import COMMANDS
 from omniproof.transcription.tree import Span
 from omniproof.visible import hidden
 
@@ -90,7 +91,6 @@ GREEK = _words(
 )
 ACCENTS = _words("hat bar tilde widetilde widehat dot ddot overline vec overrightarrow underline")
 FONTS = _words("mathbf boldsymbol bm mathrm mathbb mathcal mathit mathsf mathfrak")
-FUNCTIONS = _words("sin cos tan cot sec csc arcsin arccos arctan")
 OTHERS = _words("frac binom sqrt int det operatorname circ prime top")
 SIGNS = _words("times cdot leq geq neq langle rangle mid Leftrightarrow land lor")
 
@@ -98,7 +98,7 @@ KINDS = {
     **dict.fromkeys(GREEK, "symbol"),
     **dict.fromkeys(ACCENTS, "accent"),
     **dict.fromkeys(FONTS, "font"),
-    **dict.fromkeys(FUNCTIONS, "function"),
+    **dict.fromkeys(COMMANDS, "function"),
     **dict.fromkeys(OTHERS, "command"),
     **dict.fromkeys(SIGNS, "sign"),
     "angle": "angle",
@@ -131,6 +131,7 @@ NO_ARROW = Cure("leave the arrow out, or say it in `says`", "leave the arrow out
 UNREAD: dict[str, str | Cure] = {
     "partial": NO_DERIVATIVES,
     "differential": NO_DERIVATIVES,
+    "log": "write `\\ln` for the natural logarithm; no other is read",
     "sum": "sums over an index are not read: write the terms out",
     "pm": BOTH_SIGNS,
     "mp": BOTH_SIGNS,
