@@ -10,11 +10,11 @@ from sympy import MatrixBase
 
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
+from omniproof.audit.evidence import Rival
 from omniproof.audit.hypotheses import with_box
 from omniproof.audit.ledger import Repair as Grade
 from omniproof.audit.ledger import Row
 from omniproof.audit.relations import merge
-from omniproof.audit.rows import with_note
 from omniproof.audit.voice import Box, Voice
 from omniproof.audit.zero_test import both_terms
 from omniproof.decide.answer import Answer, Proved
@@ -32,8 +32,6 @@ from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Node, Symbolic, names
 
-MOST_SHOWN = 2
-"""Other edits that a note shows: a reader compares no more."""
 at_points_once = lru_cache(maxsize=1_000)(at_points)
 
 
@@ -102,15 +100,11 @@ def mend_relation(
 
 
 def repaired(row: Row, mended: Mended) -> Row:
-    """Add the correction to a row; other edits that are as small are named, or counted."""
+    """Add the correction to a row, and its rivals: other edits that are as small."""
     first, *others = (edit.text for edit in mended.repairs)
     grade = Grade.EXPLAINED if mended.size == 1 else Grade.POSSIBLE
-    row = row.model_copy(update={"correction": first, "repair": grade})
-    if len(others) > MOST_SHOWN:
-        told = f"{len(others)} other edits of the same size would make it true, too"
-    else:
-        told = f"as small an edit: ${'$, or $'.join(others)}$" if others else ""
-    return with_note(row, told)
+    rivals = tuple(Rival(correction=text) for text in others)
+    return row.model_copy(update={"correction": first, "repair": grade, "rivals": rivals})
 
 
 def _proved(node: Node, derived: Any, voice: Voice, factor: Any) -> tuple[str, ...]:
