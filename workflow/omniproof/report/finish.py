@@ -30,9 +30,7 @@ _TAG = re.compile(r"<[^>]*>")
 _CLASSES = re.compile(r'\bclass="([^"]*)"')
 _WORD = re.compile(r"[\w-]+")
 _SEARCH_PAGE = "search.html"
-_OF_SEARCH = re.compile(
-    r'\s*<script src="(?:_static/searchtools|_static/language_data|searchindex)\.js[^>]*></script>'
-)
+_OF_SEARCH = re.compile(r'\s*<(?:script[^>]*src|link[^>]*href)="_static/search[^>]*>(?:</script>)?')
 _UNUSED_PARTS = re.compile(
     r'\s*<script[^>]*src="_static/(?:scripts/fontawesome|design-tabs|togglebutton)\.js[^>]*></script>'
     r'|\s*<link[^>]*href="_static/(?:sphinx-thebe|togglebutton|sphinx-design\.min)\.css[^>]*>'
