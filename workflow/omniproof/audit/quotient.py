@@ -16,6 +16,10 @@ from omniproof.audit.sampling import sample_points
 from omniproof.audit.sympy_domain import Domain
 from omniproof.decide.answer import Witness
 from omniproof.decide.balls import format_ball, sign_of
+from omniproof.decide.normal_form.form import normal_form
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import Term, divide
 
 PROBES = 40
 QUOTIENTS = {
@@ -44,6 +48,8 @@ class OnBox:
 
     expression: sp.Expr
     box: Mapping[sp.Symbol, tuple[Any, Any]]
+    printed: Term | None = None
+    """The expression before SymPy had an idea of it, if it was printed."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +79,8 @@ class Quotient:
         for function, quotient in QUOTIENTS.items():
             plain = plain.replace(function, quotient)
         numerator, denominator = sp.fraction(sp.together(plain))
+        printed = getattr(family, "printed", None) or term_of(family.expression)
+        _confirm(printed, divide(term_of(numerator), term_of(denominator)), box)
         return Quotient(value, numerator, denominator, box, asked.symbols)
 
     def at(self, point: tuple[Any, ...]) -> sp.Expr:
@@ -105,6 +113,13 @@ class Quotient:
             if sign_of(evaluate(expression, point)) == sign:
                 return tuple(point[symbol] for symbol in self.box.symbols)
         return None
+
+
+def _confirm(printed: Term, quotient: Term, box: Box) -> None:
+    """Prove that SymPy's quotient is what is printed; raises `UnsupportedError` where it fails."""
+    form = normal_form(printed, quotient, frozenset(s.name for s in box.symbols if s.is_positive))
+    if not (form.is_zero or all(true for _, true in form.patterns())):
+        raise UnsupportedError("it is not proved to be the quotient that SymPy takes it for")
 
 
 def _signed(symbol: sp.Symbol, lower: sp.Expr) -> sp.Symbol:
