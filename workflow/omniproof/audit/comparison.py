@@ -283,14 +283,15 @@ class _Comparison:
         if not calls:
             t = sp.Symbol("t", real=True)
             place, side = _compact(t, *range_)
-            return OnBox(self.difference.subs(symbol, place), {t: side}), place
+            printed = substitute(self.printed, {symbol.name: term_of(place)})
+            return OnBox(self.difference.subs(symbol, place), {t: side}, printed), place
         rest = self.difference.xreplace({call: sp.Dummy() for call in calls})
         angles = [read_angle(term_of(call.args[0])).multiples for call in calls]
         only = frozenset({(Symbol(symbol.name), 1)})
         if symbol in rest.free_symbols or any(set(angle) != {only} for angle in angles):
             return None, None
         period = 2 * sp.pi * lcm(*(angle[only].denominator for angle in angles))
-        return OnBox(self.difference, {symbol: (-sp.S.One, period)}), symbol
+        return OnBox(self.difference, {symbol: (-sp.S.One, period)}, self.printed), symbol
 
     def unequal(self) -> Answer:
         """Decide `a != b`: one sign throughout, or the zeros in closed form."""

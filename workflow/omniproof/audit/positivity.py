@@ -15,7 +15,6 @@ from dataclasses import dataclass, field
 from itertools import combinations
 from typing import Any, TypeAlias
 
-import sympy as sp
 from flint import arb, ctx, fmpq
 
 from omniproof.audit.balls import evaluate
@@ -70,14 +69,14 @@ class Zero:
     side: int = 0
 
 
-def prove_positive(function: sp.Expr, box: Box, zeros: Sequence[tuple[Any, ...]] = ()) -> Outcome:
+def prove_positive(function: Term, box: Box, zeros: Sequence[tuple[Any, ...]] = ()) -> Outcome:
     """Prove function > 0 on the box except at `zeros`, exact points of the closed box.
 
     Points where the function is undefined prove nothing, so it should be defined inside. Raises
     `UnsupportedError` for a function that cannot be enclosed.
     """
     with ctx.workprec(PRECISION):
-        return _Search(term_of(function), box, zeros).run()
+        return _Search(function, box, zeros).run()
 
 
 @dataclass
