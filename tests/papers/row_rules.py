@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from omniproof.audit.ledger import Ledger, Repair, Row, Verdict
-from omniproof.transcription.model import Kind, Uncheckable
+from omniproof.transcription.model import Kind
 
 DECIDED = {Kind.IDENTITY, Kind.VALUE, Kind.RELATION}
 LONGEST_NOTE = 600
 """Letters of a few sentences: a list of all that would also be true is none."""
-MENDED = {Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.MODEL_GAP}
+MENDED = {Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.MODEL_GAP, Verdict.INCONSISTENT}
 
 
 def complaints(row: Row) -> Iterator[str]:
@@ -26,24 +26,27 @@ def complaints(row: Row) -> Iterator[str]:
         yield from (name for name in ("witness", "assumption") if not getattr(row, name))
     if row.verdict is Verdict.VERIFIED and decided and not row.engines:
         yield "engines"
-    if row.verdict is Verdict.VERIFIED and row.correction + row.witness + row.assumption:
+    if row.verdict is Verdict.VERIFIED and (row.correction or row.witness or row.assumption):
         yield "a right row needs no correction"
     if row.kind is Kind.VALUE and row.verdict is not Verdict.UNCHECKABLE and not row.interval:
         yield "interval"
-    if row.verdict is Verdict.UNCHECKABLE and not names_its_class(row.note):
-        yield f"no class of uncheckable in {row.note!r}"
+    if (row.verdict is Verdict.UNCHECKABLE) != (row.uncheckable is not None):
+        yield "class of uncheckable"
     if row.verdict.is_fault != bool(row.consequence):
         yield "consequence"
-    if len(row.note) > LONGEST_NOTE:
-        yield f"a note of {len(row.note)} letters"
-
-
-def names_its_class(note: str) -> bool:
-    return "decide" in note and any(name.value in note for name in Uncheckable)
+    if len(row.remark) > LONGEST_NOTE:
+        yield f"a note of {len(row.remark)} letters"
 
 
 ALLOWED = {
-    Kind.IDENTITY: {"verified", "conditional", "erratum", "model-gap", "uncheckable"},
+    Kind.IDENTITY: {
+        "verified",
+        "conditional",
+        "erratum",
+        "inconsistent",
+        "model-gap",
+        "uncheckable",
+    },
     Kind.VALUE: {"verified", "misrounded", "erratum", "inconsistent", "uncheckable"},
     Kind.RELATION: {"verified", "conditional", "erratum", "model-gap", "uncheckable"},
     Kind.CONSISTENCY: {"verified", "inconsistent"},

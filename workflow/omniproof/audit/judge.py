@@ -11,13 +11,16 @@ from omniproof.audit.angle_family import instance
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
 from omniproof.audit.decimals import Rounding
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.fits import judge_fit
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
+from omniproof.audit.mending import mend_relation, repaired
 from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sign_cases import equivalent
 from omniproof.audit.voice import Voice
+from omniproof.audit.wavering import judge_alone, judge_convention
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided
 from omniproof.formula.evaluation import evaluate
 from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
@@ -40,13 +43,16 @@ def judge_claim(claim: Claim, context: Context) -> list[Row]:
         Kind.EDITORIAL: _judge_reading,
     }
     if claim.kind is Kind.IDENTITY:
-        return judge_identity(claim, context)
+        return judge_alone(claim, context)
     return [judges[claim.kind](claim, context)]
 
 
 def _judge_uncheckable(claim: Claim, context: Context) -> Row:
-    row = start(claim, context).model_copy(update={"verdict": Verdict.UNCHECKABLE})
+    told = {"uncheckable": claim.uncheckable, "argument": claim.argument or ""}
+    row = start(claim, context).model_copy(update={"verdict": Verdict.UNCHECKABLE, **told})
     row = with_note(row, f"{claim.uncheckable}. Would decide it: {claim.decided_by}")
+    if claim.argument:
+        row = with_note(row, f"Argument: {claim.argument}")
     if claim.reading is Reading.RECONSTRUCTED and claim.id in context.registry.derivations:
         return _reconstructed(row, judge_identity(claim, context))
     return row
@@ -85,14 +91,14 @@ def _judge_value(claim: Claim, context: Context) -> Row:
         update={
             "verdict": verdict,
             "derived": context.spelling.latex(value),
-            "interval": finding.interval_text,
+            "interval": finding.record,
             "engines": "+".join(finding.engines),
         }
     )
     if verdict is Verdict.VERIFIED:
         return row
     mended = {
-        "witness": f"printed={claim.printed}; derived={finding.digits}",
+        "witness": Counterexample(printed=str(claim.printed), derived=finding.digits),
         "correction": finding.correction,
         "repair": Repair.MANUAL,
     }
@@ -112,8 +118,10 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
     answer = _judge_form(claim, relation, context)
     row = answered(start(claim, context), answer, context)
     if not isinstance(answer, Refuted):
-        return row
-    row = _mended(row, relation, answer.engines)
+        return _for_all(row, claim)
+    if not (relation.condition or relation.correction):
+        return _mended_by_edits(row, claim, relation, context)
+    row = _for_all(_mended(row, relation, answer.engines), claim)
     if relation.premises is None or row.verdict is not Verdict.ERRATUM:
         return row
     granted = _judge_form(claim, replace(relation, subject=relation.premises), context)
@@ -125,8 +133,6 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
 
 def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
     """Say what holds instead of a false relation: a proved correction, or a condition."""
-    if not (relation.condition or relation.correction):
-        return _undecided(row, "false as it stands; its derivation does not say what holds instead")
     for obligation in relation.proof:
         # The correction is ours: it is believed no more than what is printed, and proved as well.
         proof = judge(obligation)
@@ -140,30 +146,63 @@ def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
     return row.model_copy(update={"engines": "+".join(engines), **fields})
 
 
+def _mended_by_edits(row: Row, claim: Claim, relation: Relation, context: Context) -> Row:
+    """Mend a printed relation whose derivation does not say what holds instead."""
+
+    def proved(tree: Node) -> tuple[str, ...]:
+        answer = _judge_printed(claim, relation.subject, context, tree)
+        return answer.engines if isinstance(answer, Proved) else ()
+
+    if _is_printed(claim, relation, context):
+        box = getattr(relation.subject, "box", {})
+        if found := mend_relation(claim, proved, box, context):
+            return repaired(row, found)
+    return _undecided(row, "false as it stands; its derivation does not say what holds instead")
+
+
+def _for_all(row: Row, claim: Claim) -> Row:
+    """What is said of all values is false where some are left out: it should say for which."""
+    assert claim.asserts is not None
+    if row.verdict is not Verdict.CONDITIONAL or not claim.asserts.for_all:
+        return row
+    correction = rf"{row.printed} \text{{ for }} {row.assumption}"
+    fields = {"correction": correction, "assumption": "", "repair": Repair.MANUAL}
+    return row.model_copy(update={"verdict": Verdict.ERRATUM, **fields})
+
+
 def _undecided(row: Row, reason: str) -> Row:
     return with_note(row.model_copy(update={"verdict": Verdict.UNDECIDED}), reason)
 
 
 def _judge_form(claim: Claim, relation: Relation, context: Context) -> Answer:
     assert claim.asserts is not None
-    form, subject, tree = claim.asserts.form, relation.subject, context.loaded.trees.get(claim.id)
-    if form in {Form.EQUIVALENT, Form.INSTANCE} or (isinstance(subject, Ordered) and tree):
-        return _judge_printed(claim, subject, context)
+    form, subject = claim.asserts.form, relation.subject
+    if _is_printed(claim, relation, context):
+        return _judge_printed(claim, subject, context, context.loaded.trees[claim.id])
     at = tuple(_point(node, context) for node in context.loaded.points.get(claim.id, ()))
     obligation = Obligation(form, subject, at, claim.asserts.member)
     return judge(obligation, context.domain(claim.id))
 
 
-def _judge_printed(claim: Claim, subject: Subject, context: Context) -> Answer:
+def _is_printed(claim: Claim, relation: Relation, context: Context) -> bool:
+    """Whether what is printed takes part in a relation, and not only what is derived."""
+    assert claim.asserts is not None
+    if claim.asserts.form in {Form.EQUIVALENT, Form.INSTANCE}:
+        return True
+    return isinstance(relation.subject, Ordered) and claim.id in context.loaded.trees
+
+
+def _judge_printed(claim: Claim, subject: Subject, context: Context, tree: Node) -> Answer:
     """Judge what is printed itself, and ask direct evaluation of it."""
     assert claim.asserts is not None
-    form, tree = claim.asserts.form, context.loaded.trees[claim.id]
+    form = claim.asserts.form
     voice, assumed = Voice(claim.id, context), context.assumed(claim.id)
     if form is Form.EQUIVALENT:
-        answer = equivalent(context.evaluate(claim.id), subject, assumed)
+        answer = equivalent(context.evaluate(claim.id, tree), subject, assumed)
         return voice.equivalent(answer, tree, subject)
     if form is Form.INSTANCE:
-        answer = instance(tuple(context.evaluate(claim.id)), subject, voice.domain, assumed)
+        angles = tuple(context.evaluate(claim.id, tree))
+        answer = instance(angles, subject, voice.domain, assumed)
         return voice.instance(answer, tree, subject)
     nodes = _ascending(tree)
     if not nodes:
@@ -193,26 +232,13 @@ def _judge_consistency(claim: Claim, context: Context) -> Row:
     conventions = context.registry.conventions
     convention = next((o for o in (claim.id, *claim.agrees_with) if o in conventions), None)
     if convention:
-        return _judge_convention(claim, context.claims[convention], context)
+        return judge_convention(start(claim, context), convention, context)
     row = start(claim, context)
     against = [other for other in claim.agrees_with if not _agree(claim, other, context)]
     verdict = Verdict.INCONSISTENT if against else Verdict.VERIFIED
-    row = row.model_copy(update={"verdict": verdict, "engines": "text"})
-    return with_note(row, f"differs from {', '.join(against)}" if against else "")
-
-
-def _judge_convention(claim: Claim, place: Claim, context: Context) -> Row:
-    """Judge the place that uses a convention, or one that states it: both say the same."""
-    convention = context.registry.conventions[place.id]
-    chosen = context.choices[place.id]
-    row = start(claim, context).model_copy(update={"verdict": Verdict.VERIFIED, "engines": "flint"})
-    if chosen == convention.stated:
-        return row
-    return with_note(
-        row.model_copy(update={"verdict": Verdict.INCONSISTENT}),
-        f"stated at {', '.join(place.agrees_with)}: {convention.stated}; "
-        f"used at {place.id}: {chosen}. The printed formulas need the latter",
-    )
+    fields = {"verdict": verdict, "engines": "text", "against": tuple(against)}
+    differs = f"differs from {', '.join(against)}" if against else ""
+    return with_note(row.model_copy(update=fields), differs)
 
 
 def _agree(claim: Claim, other: str, context: Context) -> bool:

@@ -11,7 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from itertools import repeat
 from math import isfinite
+from operator import mul
 from typing import Any, TypeAlias
 
 from flint import arb, arb_series, ctx, fmpq
@@ -152,11 +155,11 @@ class _Compiler:
                 return fold(tuple(map(self.place, term.parts)))
             case Power(base=base, exponent=exponent):
                 inside = self.place(base)
-                return lambda memory: memory[inside] ** exponent
+                return lambda memory: _power(memory[inside], exponent)
         return self.call(term)
 
     def call(self, term: Term) -> Step:
-        function = _FUNCTIONS.get(term.function) if isinstance(term, Call) else None
+        function = FUNCTIONS.get(term.function) if isinstance(term, Call) else None
         if function is None:
             name = term.function if isinstance(term, Call) else type(term).__name__
             raise UnsupportedError(f"{name} is not among the functions that can be enclosed")
@@ -188,6 +191,15 @@ def _multiply(places: tuple[int, ...]) -> Step:
     return step
 
 
+def _power(base: Ball, exponent: int) -> Ball:
+    """Enclose a whole power; FLINT's own says nothing where a ball contains 0."""
+    if isinstance(base, arb_series) or not base.contains(0) or not base.is_finite():
+        return base**exponent
+    size = base if exponent % 2 else abs(base)
+    product = reduce(mul, repeat(size, abs(exponent)), arb(1))
+    return product if exponent >= 0 else 1 / product
+
+
 def _root(value: Ball) -> Ball:
     """Enclose a square root; over a range that reaches below zero, where it is defined."""
     if isinstance(value, arb_series) or not value.contains(0):
@@ -215,7 +227,7 @@ def _arctangent_of_point(ordinate: Ball, abscissa: Ball) -> Ball:
     return arb.atan2(ordinate, abscissa)
 
 
-_FUNCTIONS: dict[str, Callable[..., Ball]] = {
+FUNCTIONS: dict[str, Callable[..., Ball]] = {
     "sin": lambda x: x.sin(),
     "cos": lambda x: x.cos(),
     "tan": lambda x: x.sin() / x.cos(),
@@ -228,11 +240,9 @@ _FUNCTIONS: dict[str, Callable[..., Ball]] = {
     "atan2": _arctangent_of_point,
     "exp": lambda x: x.exp(),
     "log": lambda x: x.log(),
-    "sinh": lambda x: (x.exp() - (-x).exp()) / 2,
-    "cosh": lambda x: (x.exp() + (-x).exp()) / 2,
-    "tanh": lambda x: (x.exp() - (-x).exp()) / (x.exp() + (-x).exp()),
     "sqrt": _root,
     "abs": _abs,
     "sign": _sign,
     "power": lambda base, exponent: (base.log() * exponent).exp(),
 }
+"""Every function of the table that has no definition by others."""

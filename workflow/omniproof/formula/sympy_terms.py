@@ -14,8 +14,9 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.formula.angle import CIRCULAR, circular
+from omniproof.formula.angle import circular
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import CIRCULAR, FUNCTIONS, applied
 from omniproof.formula.grid import Grid
 from omniproof.formula.term import (
     ONE,
@@ -33,19 +34,14 @@ from omniproof.formula.term import (
 )
 from omniproof.formula.value import Cases, Comparison, Logic, Value
 
-SYMPY_FUNCTIONS: dict[str, Any] = {
-    "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "cot": sp.cot, "sec": sp.sec, "csc": sp.csc,
-    "arcsin": sp.asin, "arccos": sp.acos, "arctan": sp.atan, "atan2": sp.atan2,
-    "sqrt": sp.sqrt, "abs": sp.Abs, "sign": sp.sign, "exp": sp.exp, "log": sp.log,
-    "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh, "max": sp.Max, "min": sp.Min,
-    "power": sp.Pow,
-}  # fmt: skip
+SYMPY_FUNCTIONS: dict[str, Any] = {n: getattr(sp, row.sympy) for n, row in FUNCTIONS.items()}
 """Functions of terms, and SymPy's."""
 CIRCULAR_FUNCTIONS = tuple(SYMPY_FUNCTIONS[name] for name in sorted(CIRCULAR))
 NAMES: dict[Any, str] = {function: name for name, function in SYMPY_FUNCTIONS.items()}
 COMPARE: dict[str, Callable[..., Any]] = {
     "=": sp.Eq, "<": sp.Lt, ">": sp.Gt, "\\leq": sp.Le, "\\geq": sp.Ge, "\\neq": sp.Ne,
 }  # fmt: skip
+_OPERATORS = {relation: operator for operator, relation in COMPARE.items()}
 JOIN: dict[str, Callable[..., Any]] = {"and": sp.And, "or": sp.Or, "equivalent": sp.Equivalent}
 
 
@@ -110,13 +106,38 @@ def _call(node: Any) -> Term:
     name = NAMES.get(node.func) or (str(node.func) if node.is_Function else "")
     if not (name and node.args) or isinstance(node, sp.Piecewise):
         raise UnsupportedError(_refusal(node))
-    return Call(name, tuple(map(_term, node.args)))
+    return applied(name, tuple(map(_term, node.args)))
+
+
+def comparison_of(relation: Any) -> Comparison:
+    """Return a relation of SymPy as a comparison of terms; raises `UnsupportedError`."""
+    return Comparison(term_of(relation.lhs), _OPERATORS[relation.func], term_of(relation.rhs))
+
+
+def end_of(end: Any) -> Term | None:
+    """Return the end of a range as a term; None for infinity."""
+    end = sp.sympify(end)
+    return None if end.is_infinite else term_of(end)
 
 
 def positive_names(*expressions: Any) -> frozenset[str]:
     """Return the names of the symbols that SymPy assumes not to be negative."""
     found = set().union(*(expression.free_symbols for expression in expressions))
     return frozenset(symbol.name for symbol in found if symbol.is_nonnegative)
+
+
+def assumed_signs(*expressions: Any) -> frozenset[tuple[str, str]]:
+    """Return what SymPy assumes of symbols: pairs of a name and how it stands to 0."""
+    found = set().union(*(expression.free_symbols for expression in expressions))
+    return frozenset(
+        (symbol.name, relation)
+        for symbol in found
+        for assumption, relation in _SIGNS.items()
+        if getattr(symbol, assumption)
+    )
+
+
+_SIGNS = {"is_nonnegative": "\\geq", "is_nonpositive": "\\leq", "is_nonzero": "\\neq"}
 
 
 def _refusal(node: Any) -> str:
