@@ -21,6 +21,7 @@ from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
 from omniproof.report.finish import finish
 from omniproof.report.fragments.rows import write_details
+from omniproof.report.project import project_script
 from omniproof.report.search_index import claims_script
 from omniproof.report.theme import stylesheet
 
@@ -53,6 +54,7 @@ def stage(book: Path, results: Path, papers: Path, source: Path) -> None:
         shutil.copyfile(notebook, source / notebook.name)
     ledgers = read_ledgers(results)
     static = {"verdicts.css": stylesheet(), "search-claims.js": claims_script(ledgers, papers)}
+    static["project.js"] = project_script(book.parent / "CITATION.cff")
     for name, text in static.items():
         (source / "_static" / name).write_text(text, encoding="utf-8")
     _stage_data(results, ledgers, source / "extra")

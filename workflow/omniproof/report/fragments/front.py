@@ -68,7 +68,7 @@ def _buttons(shown: Shown, question: str) -> str:
     )
 
 
-def paper_html(ledger: Ledger, edition: Edition, sentence: str) -> str:
+def paper_html(ledger: Ledger, edition: Edition, sentence: str = "") -> str:
     """Return one paper: title (a link to its chapter), what came of it, its verdicts to scale."""
     venue = ", ".join(str(part) for part in (edition.venue, edition.year) if part)
     about = f"{', '.join(edition.authors)}. {venue[:1].upper()}{venue[1:]}."
@@ -108,4 +108,4 @@ def check_words(key: str, words: str) -> None:
     """Raise `ValueError` for a number that is typed: it would not follow the ledger."""
     typed = [*numbers_in(_MATH.sub("", _CLAIM.sub("", words)))]
     if typed:
-        raise ValueError(f"{key}: a typed number: {', '.join(typed)}; name a claim of the ledger")
+        raise ValueError(f"{key}: write what the ledger has for {', '.join(typed)}")

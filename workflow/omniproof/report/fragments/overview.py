@@ -20,6 +20,7 @@ from omniproof.report.fragments.base import (
     table,
 )
 from omniproof.report.fragments.counts import matrix_html, verdict_counts
+from omniproof.report.fragments.edition import Change, edition_html
 from omniproof.report.fragments.figures import drawn_html
 from omniproof.report.fragments.front import check_words, paper_html, questions_html, told
 from omniproof.report.fragments.listing import listing_html, place_html, reach_of
@@ -141,6 +142,11 @@ class Overview:
             if counts[name]
         )
         return Fragment(table(["class", "rows", "decided by"], rows), "uncheckable by class")
+
+    def edition(self, changes: Iterable[Change]) -> Fragment:
+        """Show which verdicts are others than in the first edition."""
+        links = {ledger.paper: self._href(ledger.paper) for ledger in self.ledgers}
+        return Fragment(edition_html(changes, links), "changes since the first edition")
 
     def assumptions(self) -> Fragment:
         """Show what each paper assumes and does not state, with the claims that need it."""
