@@ -200,6 +200,8 @@ def _follows_from_premises(cell: Cell) -> bool:
 
 def _mend(cell: Cell, place: int, claim: str, context: Context, voice: Voice) -> Mended | None:
     """Return the printed text with the least edit that makes the side at `place` true, if any."""
+    if not context.mends:
+        return None
     begin, end = cell.places[place]
     found = mend(cell.text[begin:end], cell.derived, claim, context, cell.factor)
     if found is None:

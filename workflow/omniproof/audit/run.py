@@ -21,7 +21,7 @@ from omniproof.audit.zero_test import DisagreementError
 from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
-from omniproof.transcription.loader import load_sound_part
+from omniproof.transcription.loader import load_paper, load_sound_part
 from omniproof.transcription.matching import unmatched
 from omniproof.transcription.model import Claim, Form, Kind, Role
 from omniproof.transcription.symbols import symbol_name
@@ -57,6 +57,23 @@ def prepare_to_judge(folder: Path) -> Context:
     context = prepare(folder)
     context.choices = {name: _choose(name, context) for name in context.registry.conventions}
     return context
+
+
+def open_to_judge(folder: Path) -> Context:
+    """Load a paper to judge single claims: nothing is checked that its whole audit checks.
+
+    Raises `BadInput` when its files cannot be read. See `choose_reading` before one is judged.
+    """
+    loaded = load_paper(folder)
+    key = loaded.paper.key
+    return Context(loaded, _registry(key), load_readings(key))
+
+
+def choose_reading(claim: str, context: Context) -> None:
+    """Choose the reading of the convention that a claim depends on, if it has not been chosen."""
+    name = context.derivation(claim).convention
+    if name and name not in context.choices:
+        context.choices = {**context.choices, name: _choose(name, context)}
 
 
 def prepare(folder: Path) -> Context:
