@@ -32,7 +32,7 @@ from omniproof.transcription.tree import Chain, Name, Node, names
 
 @dataclass(eq=False)  # one and the same, or another: so it can be the key of a cache
 class Context:
-    """One paper under audit; `choices` are the readings of its conventions, once chosen.
+    """One paper under audit; `choices` are the readings of its conventions, once chosen, by claim.
 
     Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim,
     `derived`, what claims are judged by, under each reading, and `domains`, where they are. Without
@@ -108,7 +108,7 @@ class Context:
         derivation, reading = self.derivation(claim), tuple[str, ...]()
         if derivation.convention:
             stated = self.registry.conventions[derivation.convention].stated
-            reading = (self.choices.get(derivation.convention, stated),)
+            reading = (self.choices.get(claim, stated),)
         if (claim, reading) not in self.derived:
             self.derived[claim, reading] = derivation.build(*reading)
         return self.derived[claim, reading]
