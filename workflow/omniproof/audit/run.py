@@ -15,7 +15,7 @@ from omniproof.audit.ledger import Ledger, Row
 from omniproof.audit.other_notation import misread
 from omniproof.audit.own_text import refuse_own_text, same_by_name
 from omniproof.audit.readings import load_readings, unfit
-from omniproof.audit.wavering import choose
+from omniproof.audit.wavering import choose, choose_among
 from omniproof.audit.zero_test import DisagreementError
 from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Registry, load_registry
@@ -69,10 +69,9 @@ def open_to_judge(folder: Path) -> Context:
 
 
 def choose_reading(claim: str, context: Context) -> None:
-    """Choose the reading of the convention that a claim depends on, if it has not been chosen."""
-    name = context.derivation(claim).convention
-    if name and name not in context.choices:
-        context.choices = {**context.choices, name: _choose(name, context)}
+    """Choose the readings of the convention that a claim depends on, if it does."""
+    if convention := context.derivation(claim).convention:
+        context.choices = {**context.choices, **choose_among(convention, context)}
 
 
 def prepare(folder: Path) -> Context:
