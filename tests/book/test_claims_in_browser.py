@@ -42,7 +42,9 @@ def column(page: Page, number: int) -> list[str]:
 
 def test_remarks_on_wording_and_references_are_not_shown_at_first(findings: Page) -> None:
     faults = column(findings, 3)
-    findings.get_by_label("show", exact=True).select_option("faults, and remarks on wording and references")
+    findings.get_by_label("show", exact=True).select_option(
+        "faults, and remarks on wording and references"
+    )
     everything = column(findings, 3)
     assert 0 < len(faults) < len(everything)
     assert {"✎ editorial"} & set(faults) == set() != {"✎ editorial"} & set(everything)

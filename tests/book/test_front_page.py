@@ -58,7 +58,7 @@ def test_the_inverse_as_numpy_undoes_the_wheel_matrix(front: Page) -> None:
         "found = inverse(*a) @ A / np.linalg.det(A)\n"
         "assert np.allclose(found, np.eye(3)), found"
     )
-    exec(f"{pasted(front)}\n{check}", {})  # noqa: S102 - what a reader would paste
+    exec(f"{pasted(front)}\n{check}", {})
 
 
 def test_every_question_has_a_formula_to_copy_and_a_way_to_its_chapter(front: Page) -> None:
@@ -119,10 +119,10 @@ def test_a_claim_can_be_cited(front: Page, built: Path) -> None:
 @pytest.mark.parametrize(
     ("reports", "start"),
     [
-        pytest.param("https://host.invalid/a/b/issues/new", "https://host.invalid/a/b/issues/new?title=Dispute", id="issue"),
-        pytest.param("mailto:a@host.invalid", "mailto:a@host.invalid?subject=Dispute", id="mail"),
+        pytest.param("https://host.invalid/issues/new", "?title=Dispute", id="issue"),
+        pytest.param("mailto:a@host.invalid", "?subject=Dispute", id="mail"),
     ],
-)  # fmt: skip
+)
 def test_a_wrong_verdict_is_reported_prefilled(
     front: Page, built: Path, reports: str, start: str
 ) -> None:
@@ -130,7 +130,7 @@ def test_a_wrong_verdict_is_reported_prefilled(
     front.evaluate("(reports) => { window.PROJECT.reports = reports; }", reports)
     front.locator("#eq-6-2-3 button", has_text="Dispute").click()
     link = front.locator("dialog.dispute a").get_attribute("href") or ""
-    assert link.startswith(start)
+    assert link.startswith(reports + start)
     assert "eq%3A6%5B2%2C3%5D" in link
 
 

@@ -20,7 +20,10 @@ HEAD = ("paper", "place", "verdict", "kind", "changes", "finding")
 
 
 def listing_html(rows: Iterable[Row], href: Mapping[str, Href]) -> str:
-    """Return findings, given in order of place, as one table: by reach, faults before remarks, then by gravity."""
+    """Return findings, given in order of place, as a table.
+
+    By reach; of one reach, faults before remarks on wording and references; then by gravity.
+    """
     placed = sorted(enumerate(rows), key=lambda found: _rank(found[1]))
     lines = [_line(place, row, href[row.paper]) for place, row in placed]
     if not lines:
