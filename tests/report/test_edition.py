@@ -30,7 +30,7 @@ def test_a_change_is_shown_with_both_verdicts_and_a_link(ledger: Ledger) -> None
     (change,) = changes_since({(row.paper, row.id): Verdict.CONDITIONAL},
                               [ledger.model_copy(update={"rows": (row,)})])  # fmt: skip
     html = edition_html([change], {row.paper: lambda _: None})
-    assert html.index("conditional") < html.index("erratum")
+    assert html.index(" conditional</span>") < html.index(" erratum</span>")
     assert f'href="{row.paper}.html#' in html
 
 

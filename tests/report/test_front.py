@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import pytest
 
@@ -10,6 +11,8 @@ from omniproof.audit.ledger import Ledger, Row
 from omniproof.report.fragments import Overview
 from omniproof.report.fragments.counts import bar_html, legend_html, verdict_counts
 from omniproof.report.fragments.front import told
+
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture
@@ -37,7 +40,11 @@ def test_a_sentence_links_its_finding_and_writes_what_is_right(row: Row) -> None
 
 def test_a_sentence_without_its_finding_stops_the_build(overview: Overview) -> None:
     with pytest.raises(ValueError, match=r"eq:1 is no finding whose source is clear"):
-        overview.papers({"omni-arrangement": "Wrong in {eq:1}."})
+        overview.picture("omni-arrangement eq:1", "sign")
+    with pytest.raises(ValueError, match=r"eq:1 is no finding whose source is clear"):
+        Overview(overview.ledgers, (), ROOT / "results").papers(
+            {"omni-arrangement": "Wrong in {eq:1}."}
+        )
 
 
 def test_a_typed_number_stops_the_build(row: Row) -> None:

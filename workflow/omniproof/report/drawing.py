@@ -53,10 +53,13 @@ def write_drawings(drawings: Iterable[Drawing], name: str, folder: Path, results
 
 
 def source_of(drawing: Drawing) -> str:
-    """Return file and line of the function that draws: `omniproof/papers/a/figures/b.py:7`."""
+    """Return file and line of the function that draws: `omniproof/papers/a/figures/b.py:7`.
+
+    Nothing for a drawing of the project itself, whose code has no page.
+    """
     code = inspect.unwrap(drawing.draw).__code__
-    file = Path(code.co_filename).resolve().relative_to(PACKAGE.parent.resolve())
-    return f"{file.as_posix()}:{code.co_firstlineno}"
+    file = Path(code.co_filename).resolve().relative_to(PACKAGE.parent.resolve()).as_posix()
+    return f"{file}:{code.co_firstlineno}" if "/papers/" in file else ""
 
 
 def _write(drawing: Drawing, frame: pd.DataFrame, stem: Path, prefix: str) -> dict[str, int | str]:
