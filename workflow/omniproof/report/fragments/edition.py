@@ -13,8 +13,9 @@ from html import escape
 from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, Row, Verdict
-from omniproof.report.fragments.base import Href, badge, note_html, table
+from omniproof.report.fragments.base import Href, badge, table
 from omniproof.report.fragments.listing import place_html
+from omniproof.report.fragments.rows import said_html
 
 FIRST = Path(__file__).parents[1] / "first-edition.csv"
 COMMIT = "4e9956724"
@@ -67,7 +68,7 @@ def _line(change: Change, href: Href) -> str:
         place_html(row) if row else f"<code>{escape(change.id)}</code>",
         badge(change.before) if change.before else "no row",
         badge(row.verdict) if row else "no row",
-        note_html(row.note, href) if row else "",
+        said_html(row, href) if row else "",
     )
     verdict = f' class="v-{row.verdict}"' if row else ""
     return f"<tr{verdict}>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
