@@ -31,8 +31,8 @@ from omniproof.formula.functions import (
 )
 from omniproof.formula.sympy_terms import SYMPY_FUNCTIONS, Converter
 from omniproof.formula.term import Number, Symbol, Term
+from omniproof.formula.writers import latex
 from omniproof.transcription import tree
-from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import read
 
 ROWS = [pytest.param(row, id=name) for name, row in FUNCTIONS.items()]

@@ -30,8 +30,8 @@ from omniproof.audit.repair import QuickLook, Repair, repair, repair_twice
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
+from omniproof.formula.writers import latex
 from omniproof.transcription import tree
-from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError

@@ -38,9 +38,9 @@ from omniproof.formula.term import (
     substitute,
 )
 from omniproof.formula.value import Cases, Comparison, Function, Logic, Statement, Value, kind
+from omniproof.formula.writers import latex
 from omniproof.transcription import tree
 from omniproof.transcription.faults import nearest
-from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
 
 AXES = {"x": 0, "y": 1, "z": 2}

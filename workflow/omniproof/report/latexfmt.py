@@ -11,6 +11,8 @@ import re
 from collections.abc import Callable
 from html import escape
 
+from omniproof.formula.writers import text as unicode
+from omniproof.report.shown import shown
 from omniproof.transcription.model import ID
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -118,36 +120,6 @@ def formula(latex: str) -> str:
     return "".join([*pieces, math(rest) if rest.strip() else ""])
 
 
-_NAMES = (
-    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau "
-    "upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega"
-)
-GREEK = dict(zip(_NAMES.split(), "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ", strict=True))
-_SIGNS = {
-    r"\\leq?(?![a-z])": "≤",
-    r"\\geq?(?![a-z])": "≥",
-    r"\\neq?(?![a-z])": "≠",
-    r"\\pm(?![a-z])": "±",
-    r"\\cdot(?![a-z])": "·",
-    r"\\times(?![a-z])": "×",
-    r"\\(?:to|rightarrow)(?![a-z])": "→",
-    r"\\Leftrightarrow(?![a-z])": "⇔",
-    r"\^\{?\\circ\}?": "°",
-    r"\\degree(?![a-z])": "°",
-    r"\\in(?![a-z])": "∈",
-    r"\\langle(?![a-z])": "⟨",
-    r"\\rangle(?![a-z])": "⟩",
-    r"\\dots|\\ldots|\\cdots": "…",
-    r"\\\|": "‖",
-    r"&": "",
-    r"\\[{]": "{",
-    r"\\[}]": "}",
-}
-_SUPERSCRIPT = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
-_SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
-_ARGUMENT = r"\{([^{}]*)\}"
-
-
 def same(latex: str, other: str) -> bool:
     """Whether two formulas differ at most in braces, spaces, alignment and a left side."""
     one, two = (re.sub(r"[{}\s&]|\\left(?![a-z])|\\right(?![a-z])", "", x) for x in (latex, other))
@@ -155,36 +127,15 @@ def same(latex: str, other: str) -> bool:
 
 
 def plain(text: str) -> str:
-    r"""Return LaTeX or mixed text as Unicode for a terminal: `\alpha_1^2` becomes `α₁²`."""
-    text = re.sub(r"\\begin\{\w+\*?\}.*?\\end\{\w+\*?\}", "[…]", text, flags=re.DOTALL)
-    for pattern, sign in _SIGNS.items():
-        text = re.sub(pattern, sign, text)
-    text = _COMMAND.sub(lambda found: GREEK.get(found[0][1:], found[0]), text)
-    previous = ""
-    while previous != text:
-        previous, text = text, _flatten(text)
-    text = re.sub(r"\\(?:left|right|quad|qquad|displaystyle)(?![A-Za-z])|\\[,;:! ]|[{}]", "", text)
-    text = re.sub(r"\\([A-Za-z]+)", r"\1", text)
-    return re.sub(r"\s+", " ", text.replace("$", "").replace("`", "").replace("\\", "")).strip()
+    r"""Return a cell as Unicode for a terminal: `\alpha_1^2` becomes `α₁²`.
 
+    A formula that cannot be read stays as it is.
+    """
+    row = shown(text) if is_latex(text) else None
+    if row is not None:
+        return unicode(row)
 
-def _flatten(text: str) -> str:
-    """Undo one layer of braces."""
-    text = re.sub(rf"\\[dt]?frac\s*{_ARGUMENT}\s*{_ARGUMENT}", _fraction, text)
-    text = re.sub(rf"\\sqrt\s*{_ARGUMENT}", lambda m: "√" + _grouped(m[1]), text)
-    text = re.sub(
-        rf"\\(?:text|mathrm|mathbf|mathit|operatorname|widetilde|tilde|hat|dot|overline)\s*{_ARGUMENT}",
-        r"\1",
-        text,
-    )
-    text = re.sub(r"\^\{?([0-9+-]+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
-    text = re.sub(r"_(?:\{([\d,]+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_SUBSCRIPT), text)
-    return re.sub(rf"([_^]){_ARGUMENT}", r"\1\2", text)
+    def piece(found: re.Match[str]) -> str:
+        return plain(found[1]) if found[1] else found[2] or found[3]
 
-
-def _fraction(found: re.Match[str]) -> str:
-    return f"{_grouped(found[1])}/{_grouped(found[2])}"
-
-
-def _grouped(text: str) -> str:
-    return text if re.fullmatch(r"[\w.°α-ωΑ-Ω√₀-₉⁰-⁹]+", text) else f"({text})"
+    return " ".join(PIECE.sub(piece, text).split())

@@ -21,8 +21,9 @@ from omniproof.report.fragments.base import (
     worst,
 )
 from omniproof.report.groups import Group, matrix_of
-from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, math, same
+from omniproof.report.latexfmt import cell, inline, is_latex, math, same
 from omniproof.transcription.model import Kind, Reading, Source
+from omniproof.transcription.tokens import GREEK
 
 _INTEGRAL = re.compile(r"int_(\w+)_from_(\w+)\((\w+)\)")
 _VALUE = re.compile(r"(\w+)\((\w+)\)")
