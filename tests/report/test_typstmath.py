@@ -86,6 +86,12 @@ def words_of(claim: str) -> str:
             ("$r sqrt(a old(b))$", "$r sqrt(a new(c))$"),
             id="inside of a root",
         ),
+        pytest.param(
+            r"\{210^\circ, 300^\circ\}",
+            r"\{210^\circ, 330^\circ\}",
+            (r"$\{ 210 degree \, old(300) degree \}$", r"$\{ 210 degree \, new(330) degree \}$"),
+            id="inside of a set",
+        ),
         pytest.param("32.9", "33.0", ("$32.9$", "$33.0$"), id="nothing in common, no marks"),
         pytest.param(
             r"\bad x", "x", (r'#raw("\\bad x");', "$x$"), id="what cannot be set has no marks"

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from omniproof.formula.writers import difference, typst, words
+from omniproof.formula.writers import difference, in_common, typst, words
 from omniproof.formula.writers.boxes import Row
 from omniproof.report.latexfmt import PIECE, is_latex, plain
 from omniproof.report.shown import shown
@@ -32,7 +32,7 @@ def contrasted(printed: str, corrected: str) -> tuple[str, str]:
     Formulas that share nothing, or cannot be set, are not marked.
     """
     one, other = shown(printed), shown(corrected)
-    if one is None or other is None or not set(one) & set(other):
+    if one is None or other is None or not in_common(one, other):
         return math(printed), math(corrected)
     found = difference(one, other)
     return _equation(found.one, printed), _equation(found.other, corrected)

@@ -27,6 +27,20 @@ def difference(one: Row, other: Row) -> Difference:
     return Difference(_marked(one, other, "old"), _marked(other, one, "new"), pairs)
 
 
+def in_common(one: Row, other: Row) -> bool:
+    """Whether two rows share a box, or boxes in them do that are compared inside."""
+    for equal, left, right in _runs(one, other):
+        inside = _inside(left, right) if not equal and _alike(left, right) else ()
+        if equal or any(in_common(*pair) for pair in inside):
+            return True
+    return False
+
+
+def _inside(one: Row, other: Row) -> Iterator[tuple[Row, Row]]:
+    """The parts of two boxes, in pairs."""
+    return zip(one[0].parts, other[0].parts, strict=True)
+
+
 def _runs(one: Row, other: Row) -> Iterator[tuple[bool, Row, Row]]:
     """Yield runs that are equal, or not; boxes in the same place that can be entered one by one."""
     matcher = SequenceMatcher(a=one, b=other, autojunk=False)
@@ -50,8 +64,8 @@ def _enterable(one: Box, other: Box) -> bool:
 def _pairs(one: Row, other: Row) -> Iterator[tuple[Row, Row]]:
     for equal, left, right in _runs(one, other):
         if not equal and _alike(left, right):
-            for inner, outer in zip(left[0].parts, right[0].parts, strict=True):
-                yield from _pairs(inner, outer)
+            for pair in _inside(left, right):
+                yield from _pairs(*pair)
         elif not equal:
             yield left, right
 
@@ -62,9 +76,7 @@ def _marked(one: Row, other: Row, mark: str) -> Row:
         if equal or not left:
             row += left
         elif _alike(left, right):
-            parts = tuple(
-                _marked(*pair, mark) for pair in zip(left[0].parts, right[0].parts, strict=True)
-            )
+            parts = tuple(_marked(*pair, mark) for pair in _inside(left, right))
             row += (Box(left[0].kind, left[0].text, parts),)
         else:
             row += (Box("mark", mark, (left,)),)
