@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from enum import IntEnum
 from itertools import combinations, pairwise, product
 
-from omniproof.formula.functions import COMMANDS, FUNCTIONS
 from omniproof.transcription import tree
+from omniproof.transcription.functions import COMMANDS, FUNCTIONS
 from omniproof.transcription.tokens import Token, tokenize
 from omniproof.transcription.tree import Span
 

@@ -18,10 +18,11 @@ from sympy.core.relational import Relational
 
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.registry import Family
 from omniproof.transcription.model import Claim, Kind
 
@@ -52,7 +53,7 @@ def _fields(answer: Answer, context: Context) -> dict[str, Any]:
             return {
                 "verdict": Verdict.ERRATUM,
                 "note": note,
-                "witness": str(witness),
+                "witness": _counterexample(witness),
                 "engines": "+".join(engines),
             }
         case OnBranch(engines, _, witness):
@@ -61,11 +62,17 @@ def _fields(answer: Answer, context: Context) -> dict[str, Any]:
                 "verdict": Verdict.CONDITIONAL,
                 "assumption": condition,
                 "note": note,
-                "witness": str(witness),
+                "witness": _counterexample(witness),
                 "engines": "+".join(engines),
             }
         case Undecided(reason):
             return {"verdict": Verdict.UNDECIDED, "note": reason}
+
+
+def _counterexample(witness: Witness) -> Counterexample:
+    return Counterexample(
+        point=dict(witness.point), printed=witness.printed, derived=witness.derived
+    )
 
 
 def answered(row: Row, answer: Answer, context: Context) -> Row:

@@ -7,7 +7,7 @@ expressions of a derivation.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -16,7 +16,6 @@ from types import FunctionType
 from typing import Any, NoReturn
 
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.functions import FUNCTIONS, applied
 from omniproof.formula.grid import LARGEST_DETERMINANT, Grid, ShapeError, cross, inner
 from omniproof.formula.monomials import is_plainly_zero
 from omniproof.formula.term import (
@@ -41,6 +40,8 @@ from omniproof.formula.value import Cases, Comparison, Function, Logic, Statemen
 from omniproof.formula.writers import latex
 from omniproof.transcription import tree
 from omniproof.transcription.faults import nearest
+from omniproof.transcription.functions import FUNCTIONS
+from omniproof.transcription.reader import read
 from omniproof.transcription.tokens import LatexError
 
 AXES = {"x": 0, "y": 1, "z": 2}
@@ -61,6 +62,23 @@ def unfold(node: tree.Node, meanings: Mapping[str, Any], source: str = "") -> Va
     that was read.
     """
     return _Scope(meanings, source).value(node)
+
+
+def applied(function: str, arguments: Sequence[Term]) -> Term:
+    """Return a function of terms, by its definition if it has one.
+
+    A function of two arguments is taken of more of them two by two: a maximum, a minimum.
+    """
+    definition = FUNCTIONS[function].definition if function in FUNCTIONS else ""
+    if not definition:
+        return Call(function, tuple(arguments))
+    node = read(definition, symbols="xy")
+
+    def of(*places: Term) -> Term:
+        term: Term = unfold(node, dict(zip("xy", places, strict=False)), definition)
+        return term
+
+    return of(*arguments) if len(arguments) == 1 else reduce(of, arguments)
 
 
 @dataclass(frozen=True)

@@ -11,9 +11,9 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
-from omniproof.formula.functions import WORDS
 from omniproof.formula.writers.boxes import Box, Row, layout
 from omniproof.transcription.conventions import Conventions, Names
+from omniproof.transcription.functions import WORDS
 from omniproof.transcription.reader import Reader
 from omniproof.transcription.tokens import LatexError
 

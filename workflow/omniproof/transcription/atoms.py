@@ -12,9 +12,9 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import replace
 
-from omniproof.formula.functions import COMMANDS, FUNCTIONS, INVERSES, WORDS
 from omniproof.transcription.conventions import Names, Writing
 from omniproof.transcription.enclosed import EnclosedReader
+from omniproof.transcription.functions import COMMANDS, FUNCTIONS, INVERSES, WORDS
 from omniproof.transcription.tokens import MAX_DEPTH, LatexError, Token
 from omniproof.transcription.tree import (
     Applied,

@@ -14,8 +14,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, TypeAlias
 
-from omniproof.formula.functions import FUNCTIONS
 from omniproof.transcription import tree
+from omniproof.transcription.functions import FUNCTIONS
 from omniproof.transcription.tokens import Token, tokenize
 
 Row: TypeAlias = "tuple[Box, ...]"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 
-from omniproof.formula.functions import FUNCTIONS
 from omniproof.formula.writers.boxes import Box, Row
+from omniproof.transcription.functions import FUNCTIONS
 
 _GREEK = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau "
@@ -18,7 +18,7 @@ SIGNS = {
     "\\varphi": "φ", "\\varepsilon": "ε", "\\vartheta": "θ", "\\varrho": "ρ", "\\ell": "ℓ",
     "\\nabla": "∇", "\\in": "∈", "\\angle": "∠", "\\prime": "′", "\\top": "T",
     "\\perp": "⊥", "\\circ": "°",
-    "-": "−", "*": "·", "\\cdot": "·", "\\times": "×", "\\leq": "≤", "\\geq": "≥", "\\neq": "≠",
+    "*": "·", "\\cdot": "·", "\\times": "×", "\\leq": "≤", "\\geq": "≥", "\\neq": "≠",
     "\\Leftrightarrow": "⇔", "\\mid": "|", "\\{": "{", "\\}": "}", "\\|": "‖",
     "\\langle": "⟨", "\\rangle": "⟩",
 }  # fmt: skip

@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from omniproof.formula.functions import FUNCTIONS
 from omniproof.formula.writers.boxes import Box, Row, is_tall
+from omniproof.transcription.functions import FUNCTIONS
 from omniproof.transcription.tokens import GREEK
 
 SYMBOLS = {
