@@ -65,6 +65,7 @@ def test_the_changed_part_is_whole(
         pytest.param("a + b", "a + b", id="nothing changes"),
         pytest.param("a + b", r"\sqrt{c} d^2", id="two formulas"),
         pytest.param("grovel", "a global word", id="words"),
+        pytest.param("by two roller.", "by two rollers.", id="a sentence"),
         pytest.param(r"\frac{a}{b", r"\frac{a}{c", id="broken"),
         pytest.param("a+b+c+d+e+f+g+h", "z+b+y+d+x+f+w+h", id="too many"),
     ],

@@ -10,6 +10,7 @@ from difflib import SequenceMatcher
 
 from omniproof.formula.writers import difference, display
 from omniproof.formula.writers.boxes import Row, walk
+from omniproof.report.latexfmt import is_latex
 from omniproof.report.shown import shown
 
 LEAST_ALIKE = 0.6
@@ -30,7 +31,7 @@ class Changes:
 
 def changes(printed: str, corrected: str) -> Changes | None:
     """Return what differs, or None where marks would not help a reader."""
-    one, other = shown(printed), shown(corrected)
+    one, other = (shown(text) if is_latex(text) else None for text in (printed, corrected))
     if one is None or other is None:
         return None
     found = difference(one, other)
