@@ -27,7 +27,7 @@ def row(latex: str) -> Row:
         pytest.param(r"\cos x y", r"\sin x y", "[cos] x y", "[sin] x y", id="function"),
         pytest.param(r"r \sqrt{a b}", r"r \sqrt{a c}", "r √(a [b])", "r √(a [c])", id="in a root"),
         pytest.param("a (b + c)", "a (b - c)", "a (b [+] c)", "a (b [-] c)", id="in brackets"),
-        pytest.param(r"a \frac{b}{2}", r"a \frac{b}{3}", "a [b/2]", "a [b/3]", id="a fraction"),
+        pytest.param(r"a \frac{b}{2}", r"a \frac{b}{3}", "a b/[2]", "a b/[3]", id="in a fraction"),
         pytest.param(r"\begin{pmatrix} a & b \\ c & d \end{pmatrix}",
                      r"\begin{pmatrix} a & b \\ c & -d \end{pmatrix}",
                      "(a, b; c, d)", "(a, b; c, [-] d)", id="in a matrix"),

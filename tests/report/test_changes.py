@@ -35,9 +35,9 @@ def bare(latex: str) -> str:
         pytest.param(
             r"\frac{1}{2} + c + d + e",
             r"\frac{\cos {p}}{2} + c + d + e",
-            [(r"\frac{1}{2}", r"\frac{\cos p}{2}")],
-            r"{\changed{\frac{\cos p}{2}}} + c + d + e",
-            id="a fraction is marked whole",
+            [("1", r"\cos p")],
+            r"\frac{{\changed{\cos p}}}{2} + c + d + e",
+            id="in a fraction",
         ),
         pytest.param("x = k/2", "x = k_0/2", [("k", "k_0")], r"x = {\changed{k_0}} / 2", id="base"),
         pytest.param(

@@ -10,9 +10,8 @@ from sympy import MatrixBase
 
 from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries, flat
-from omniproof.audit.evidence import Rival
 from omniproof.audit.ledger import Repair, Row, Verdict
-from omniproof.audit.mending import Mended, mend
+from omniproof.audit.mending import mend_claim, repaired
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sympy_domain import REALS, Domain
@@ -23,10 +22,10 @@ from omniproof.formula.sympy_terms import term_if_any, term_of
 from omniproof.formula.term import Term, multiply
 from omniproof.formula.value import Value
 from omniproof.registry import Modelled
+from omniproof.repair.misprint import Mended
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
 from omniproof.transcription.parses import Parse, parses
-from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Node, Span
 
@@ -119,11 +118,8 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context, voice: Voice) -> Row
         fields = {"verdict": Verdict.MODEL_GAP, "repair": Repair.MANUAL}
         row = row.model_copy(update={"correction": row.derived, "assumption": cell.gap, **fields})
         return with_note(row, "It follows from a premise that mechanics contradicts")
-    mended = _mend(cell, place, claim.id, context, voice)
-    if mended:
-        rivals = tuple(Rival(correction=text) for text in mended.others)
-        update = {"correction": mended.text, "repair": mended.grade, "rivals": rivals}
-        return row.model_copy(update=update)
+    if mended := _mend(cell, place, voice):
+        return repaired(row, mended)
     return row.model_copy(update={"correction": row.derived, "repair": Repair.MANUAL})
 
 
@@ -190,12 +186,10 @@ def _follows_from_premises(cell: Cell) -> bool:
     )
 
 
-def _mend(cell: Cell, place: int, claim: str, context: Context, voice: Voice) -> Mended | None:
+def _mend(cell: Cell, place: int, voice: Voice) -> Mended | None:
     """Return the printed text with the least edit that makes the side at `place` true, if any."""
-    begin, end = cell.places[place]
-    found = mend(cell.text[begin:end], cell.derived, claim, context, cell.factor)
-    if found is None:
+    if not voice.context.mends:
         return None
-    corrected = read_with(found.text, context.loaded.paper.notation, context.names)
-    voice.equal(Proved(("flint",)), corrected, (), cell.derived / cell.factor)
-    return found.inside(cell.text[:begin], cell.text[end:])
+    begin, end = cell.places[place]
+    found = mend_claim(cell.text[begin:end], cell.derived, voice, cell.factor)
+    return found.inside(cell.text[:begin], cell.text[end:]) if found else None

@@ -21,7 +21,8 @@ ANGLES = frozenset(name for name, row in FUNCTIONS.items() if row.angle)
 
 def derivatives(function: str, *arguments: Term) -> tuple[Term, ...] | Lacks:
     """Return the derivatives by each argument, or why there are none."""
-    found = FUNCTIONS[function].derivative
+    row = FUNCTIONS.get(function)
+    found = row.derivative if row else Lacks("it is no function of the table")
     if isinstance(found, Lacks):
         return found
     return tuple(_of(_meaning(text), arguments) for text in found)

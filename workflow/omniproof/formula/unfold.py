@@ -65,20 +65,14 @@ def unfold(node: tree.Node, meanings: Mapping[str, Any], source: str = "") -> Va
 
 
 def applied(function: str, arguments: Sequence[Term]) -> Term:
-    """Return a function of terms, by its definition if it has one.
-
-    A function of two arguments is taken of more of them two by two: a maximum, a minimum.
-    """
+    """Return a function of terms, by its definition if it has one; of more than two, in turn."""
     definition = FUNCTIONS[function].definition if function in FUNCTIONS else ""
     if not definition:
         return Call(function, tuple(arguments))
     node = read(definition, symbols="xy")
-
-    def of(*places: Term) -> Term:
-        term: Term = unfold(node, dict(zip("xy", places, strict=False)), definition)
-        return term
-
-    return of(*arguments) if len(arguments) == 1 else reduce(of, arguments)
+    if len(arguments) == 1:
+        return unfold(node, {"x": arguments[0]})
+    return reduce(lambda x, y: unfold(node, {"x": x, "y": y}), arguments)
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
-from omniproof.formula.writers import difference, display
+from omniproof.formula.writers import difference, display, in_common
 from omniproof.formula.writers.boxes import Row, walk
 from omniproof.report.latexfmt import is_latex
 from omniproof.report.shown import shown
 
-LEAST_ALIKE = 0.6
+LEAST_ALIKE = 0.4
 """Formulas with less in common are two formulas, and marking all of them says nothing."""
 
 MOST = 3
@@ -32,7 +32,7 @@ class Changes:
 def changes(printed: str, corrected: str) -> Changes | None:
     """Return what differs, or None where marks would not help a reader."""
     one, other = (shown(text) if is_latex(text) else None for text in (printed, corrected))
-    if one is None or other is None:
+    if one is None or other is None or not in_common(one, other):
         return None
     found = difference(one, other)
     if not 0 < len(found.pairs) <= MOST or _likeness(one, other) < LEAST_ALIKE:
@@ -42,6 +42,6 @@ def changes(printed: str, corrected: str) -> Changes | None:
 
 
 def _likeness(one: Row, other: Row) -> float:
-    """The part of the letters and signs that two formulas share."""
-    left, right = ([box for box in walk(row) if not box.parts] for row in (one, other))
+    """The part of the boxes that two formulas share."""
+    left, right = ([(box.kind, box.text) for box in walk(row)] for row in (one, other))
     return SequenceMatcher(a=left, b=right, autojunk=False).ratio()

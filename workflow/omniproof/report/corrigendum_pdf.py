@@ -23,7 +23,7 @@ from omniproof.report.fragments.base import sentences
 from omniproof.report.fragments.claims import symbol_latex
 from omniproof.report.groups import Group, matrix_of
 from omniproof.report.theme import MARKS
-from omniproof.report.typstmath import cell, contrasted, inline, is_formula, math
+from omniproof.report.typeset import cell, contrasted, inline, is_formula, math
 from omniproof.transcription.ids import base, index, whole
 from omniproof.transcription.model import Kind
 

@@ -1,7 +1,7 @@
-r"""What the ledger holds in LaTeX, made fit for a page (MathJax) and for a terminal (Unicode).
+r"""What the ledger holds in LaTeX, made fit for a page (MathML) and for a terminal (Unicode).
 
 A ledger cell is LaTeX, a decimal, or words with `$math$` in them. The text comes from outside, so
-it is escaped, and LaTeX that MathJax could not set (a fragment with an open bracket) or should not
+it is escaped, and LaTeX that could not be set (a fragment with an open bracket) or should not
 (commands that make links or macros) is shown as code: ugly, but never an error on the page.
 """
 
@@ -11,8 +11,6 @@ import re
 from collections.abc import Callable
 from html import escape
 
-from omniproof.formula.writers import text as unicode
-from omniproof.report.shown import shown
 from omniproof.transcription.model import ID
 
 _COMMAND = re.compile(r"\\[A-Za-z]+")
@@ -41,7 +39,7 @@ def is_latex(text: str) -> bool:
 
 
 def is_settable(latex: str) -> bool:
-    """Whether MathJax can set this: brackets, environments and delimiters all close."""
+    """Whether this can be set: brackets, environments and delimiters all close."""
     if _FORBIDDEN.search(latex):
         return False
     open_names: list[str] = []
@@ -64,8 +62,9 @@ def _braces_close(latex: str) -> bool:
 
 
 def math(latex: str, *, display: bool = False) -> str:
-    r"""Return HTML that MathJax sets, a span of class `math` around `\(...\)`; at worst, code.
+    r"""Return HTML of a formula, a span of class `math` around `\(...\)`; at worst, code.
 
+    It is set when the pages are finished.
     `display`: the large style, in a box of its own that scrolls when it is too wide.
     """
     body = TAG.sub("", latex).strip()
@@ -120,6 +119,44 @@ def formula(latex: str) -> str:
     return "".join([*pieces, math(rest) if rest.strip() else ""])
 
 
+_NAMES = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau "
+    "upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega"
+)
+GREEK = dict(zip(_NAMES.split(), "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ", strict=True))
+_SIGNS = {
+    r"\\leq?(?![a-z])": "≤",
+    r"\\geq?(?![a-z])": "≥",
+    r"\\neq?(?![a-z])": "≠",
+    r"\\int(?:\\limits)?(?![a-z])": "∫",
+    r"\\pm(?![a-z])": "±",
+    r"\\cdot(?![a-z])": "·",
+    r"\\times(?![a-z])": "×",
+    r"\\(?:to|rightarrow)(?![a-z])": "→",
+    r"\\Leftrightarrow(?![a-z])": "⇔",
+    r"\^\{?\\circ\}?": "°",
+    r"\\degree(?![a-z])": "°",
+    r"\\in(?![a-z])": "∈",
+    r"\\langle(?![a-z])": "⟨",
+    r"\\rangle(?![a-z])": "⟩",
+    r"\\dots|\\ldots|\\cdots": "…",
+    r"\\\|": "‖",
+    r"&": "",
+    r"\\[{]": "{",
+    r"\\[}]": "}",
+}
+_ACCENTS = {
+    "dot": "\u0307",
+    "hat": "\u0302",
+    "tilde": "\u0303",
+    "widetilde": "\u0303",
+    "bar": "\u0304",
+}
+_SUPERSCRIPT = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
+_SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+_ARGUMENT = r"\{([^{}]*)\}"
+
+
 def same(latex: str, other: str) -> bool:
     """Whether two formulas differ at most in braces, spaces, alignment and a left side."""
     one, two = (re.sub(r"[{}\s&]|\\left(?![a-z])|\\right(?![a-z])", "", x) for x in (latex, other))
@@ -127,15 +164,37 @@ def same(latex: str, other: str) -> bool:
 
 
 def plain(text: str) -> str:
-    r"""Return a cell as Unicode for a terminal: `\alpha_1^2` becomes `α₁²`.
+    r"""Return LaTeX or mixed text as Unicode for a terminal: `\alpha_1^2` becomes `α₁²`."""
+    text = re.sub(r"\\begin\{\w+\*?\}.*?\\end\{\w+\*?\}", "[…]", text, flags=re.DOTALL)
+    for pattern, sign in _SIGNS.items():
+        text = re.sub(pattern, sign, text)
+    text = _COMMAND.sub(lambda found: GREEK.get(found[0][1:], found[0]), text)
+    previous = ""
+    while previous != text:
+        previous, text = text, _flatten(text)
+    text = re.sub(r"\\(?:left|right|quad|qquad|displaystyle)(?![A-Za-z])|\\[,;:! ]|[{}]", "", text)
+    text = re.sub(r"\\([A-Za-z]+)", r"\1", text)
+    return re.sub(r"\s+", " ", text.replace("$", "").replace("`", "").replace("\\", "")).strip()
 
-    A formula that cannot be read stays as it is.
-    """
-    row = shown(text) if is_latex(text) else None
-    if row is not None:
-        return unicode(row)
 
-    def piece(found: re.Match[str]) -> str:
-        return plain(found[1]) if found[1] else found[2] or found[3]
+def _flatten(text: str) -> str:
+    """Undo one layer of braces."""
+    text = re.sub(rf"\\[dt]?frac\s*{_ARGUMENT}\s*{_ARGUMENT}", _fraction, text)
+    text = re.sub(rf"\\sqrt\s*{_ARGUMENT}", lambda m: "√" + _grouped(m[1]), text)
+    text = re.sub(
+        rf"\\(?:text|mathrm|mathbf|mathit|mathbb|mathcal|boldsymbol|operatorname|overline)\s*{_ARGUMENT}",
+        r"\1",
+        text,
+    )
+    text = re.sub(rf"\\({'|'.join(_ACCENTS)})\s*{_ARGUMENT}", lambda m: m[2] + _ACCENTS[m[1]], text)
+    text = re.sub(r"\^\{?([0-9+-]+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
+    text = re.sub(r"_(?:\{([\d,]+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_SUBSCRIPT), text)
+    return re.sub(rf"([_^]){_ARGUMENT}", r"\1\2", text)
 
-    return " ".join(PIECE.sub(piece, text).split())
+
+def _fraction(found: re.Match[str]) -> str:
+    return f"{_grouped(found[1])}/{_grouped(found[2])}"
+
+
+def _grouped(text: str) -> str:
+    return text if re.fullmatch(r"[\w.°α-ωΑ-Ω√₀-₉⁰-⁹]+", text) else f"({text})"

@@ -42,7 +42,7 @@ class Box:
     `word` (a function or a word, upright). With one: `name`, `root`, `accent`, `font`, `fence` (its
     text is both brackets, `( )`), `degrees`, `differential`, `mark`. With two: `fraction`, `call`
     (function and argument), `integral` (its ends). `scripts` has a base, what is below, what is
-    above; `list` any number; `grid` too, its text is the number of columns and the brackets.
+    above; a `grid` any number: its text is the number of columns and the brackets.
     """
 
     kind: str
@@ -66,7 +66,7 @@ def fence(left: str, inside: Row, right: str) -> Box:
 
 def listed(items: Sequence[Row]) -> Row:
     """Return rows with commas between them."""
-    return items[0] if len(items) == 1 else (Box("list", parts=tuple(items)),)
+    return _chained(sign(","), items)
 
 
 def walk(row: Row) -> Iterator[Box]:

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from difflib import SequenceMatcher
+from typing import TypeAlias
 
 from omniproof.formula.writers.boxes import Box, Row
 
-WHOLE = frozenset({"scripts", "fraction", "name", "accent"})
-"""What is marked as a whole: a mark would grow, or be too small to see, in its parts."""
+SMALL = frozenset({"scripts", "name", "accent"})
+"""What is marked as a whole: in its parts a mark would be too small to see."""
+Pair: TypeAlias = tuple[Row, Row]
 
 
 @dataclass(frozen=True)
@@ -18,66 +20,58 @@ class Difference:
 
     one: Row
     other: Row
-    pairs: tuple[tuple[Row, Row], ...]
+    pairs: tuple[Pair, ...]
 
 
-def difference(one: Row, other: Row) -> Difference:
-    """Compare two rows."""
-    pairs = tuple(dict.fromkeys(_pairs(one, other)))
-    return Difference(_marked(one, other, "old"), _marked(other, one, "new"), pairs)
+def difference(one: Row, other: Row, whole: frozenset[str] = SMALL) -> Difference:
+    """Compare two rows; boxes of the kinds in `whole` are marked as a whole."""
+    found = _Comparison(whole)
+    pairs = tuple(dict.fromkeys(found.pairs(one, other)))
+    return Difference(found.marked(one, other, "old"), found.marked(other, one, "new"), pairs)
 
 
 def in_common(one: Row, other: Row) -> bool:
     """Whether two rows share a box, or boxes in them do that are compared inside."""
-    for equal, left, right in _runs(one, other):
-        inside = _inside(left, right) if not equal and _alike(left, right) else ()
-        if equal or any(in_common(*pair) for pair in inside):
-            return True
-    return False
+    runs = _Comparison(SMALL).runs(one, other)
+    return any(equal or any(in_common(*pair) for pair in inside) for equal, _, _, inside in runs)
 
 
-def _inside(one: Row, other: Row) -> Iterator[tuple[Row, Row]]:
-    """The parts of two boxes, in pairs."""
-    return zip(one[0].parts, other[0].parts, strict=True)
+@dataclass(frozen=True)
+class _Comparison:
+    whole: frozenset[str]
 
+    def runs(self, one: Row, other: Row) -> Iterator[tuple[bool, Row, Row, tuple[Pair, ...]]]:
+        """Yield runs that are equal or not; where one can go into them, box by box, their parts."""
+        matcher = SequenceMatcher(a=one, b=other, autojunk=False)
+        for what, a, b, c, d in matcher.get_opcodes():
+            left, right = one[a:b], other[c:d]
+            alike = len(left) == len(right) and all(map(self._is_enterable, left, right))
+            if what == "equal" or not alike:
+                yield what == "equal", left, right, ()
+                continue
+            for x, y in zip(left, right, strict=True):
+                yield False, (x,), (y,), tuple(zip(x.parts, y.parts, strict=True))
 
-def _runs(one: Row, other: Row) -> Iterator[tuple[bool, Row, Row]]:
-    """Yield runs that are equal, or not; boxes in the same place that can be entered one by one."""
-    matcher = SequenceMatcher(a=one, b=other, autojunk=False)
-    for what, a, b, c, d in matcher.get_opcodes():
-        left, right = one[a:b], other[c:d]
-        if what != "equal" and _alike(left, right):
-            yield from ((False, (x,), (y,)) for x, y in zip(left, right, strict=True))
-        else:
-            yield what == "equal", left, right
+    def _is_enterable(self, one: Box, other: Box) -> bool:
+        same = (one.kind, one.text, len(one.parts)) == (other.kind, other.text, len(other.parts))
+        return same and one.kind not in self.whole and bool(one.parts)
 
+    def pairs(self, one: Row, other: Row) -> Iterator[Pair]:
+        """Yield what differs, the innermost."""
+        for equal, left, right, inside in self.runs(one, other):
+            if inside:
+                for pair in inside:
+                    yield from self.pairs(*pair)
+            elif not equal:
+                yield left, right
 
-def _alike(one: Row, other: Row) -> bool:
-    return len(one) == len(other) and all(map(_enterable, one, other))
-
-
-def _enterable(one: Box, other: Box) -> bool:
-    same = (one.kind, one.text, len(one.parts)) == (other.kind, other.text, len(other.parts))
-    return same and one.kind not in WHOLE and bool(one.parts)
-
-
-def _pairs(one: Row, other: Row) -> Iterator[tuple[Row, Row]]:
-    for equal, left, right in _runs(one, other):
-        if not equal and _alike(left, right):
-            for pair in _inside(left, right):
-                yield from _pairs(*pair)
-        elif not equal:
-            yield left, right
-
-
-def _marked(one: Row, other: Row, mark: str) -> Row:
-    row: Row = ()
-    for equal, left, right in _runs(one, other):
-        if equal or not left:
-            row += left
-        elif _alike(left, right):
-            parts = tuple(_marked(*pair, mark) for pair in _inside(left, right))
-            row += (Box(left[0].kind, left[0].text, parts),)
-        else:
-            row += (Box("mark", mark, (left,)),)
-    return row
+    def marked(self, one: Row, other: Row, mark: str) -> Row:
+        """Put marks into the first row around what the second one lacks."""
+        row: Row = ()
+        for equal, left, _, inside in self.runs(one, other):
+            if inside:
+                parts = tuple(self.marked(*pair, mark) for pair in inside)
+                row += (Box(left[0].kind, left[0].text, parts),)
+            else:
+                row += left if equal or not left else (Box("mark", mark, (left,)),)
+        return row

@@ -27,7 +27,7 @@ def display(row: Row) -> str:
 def _written(row: Row, rules: Mapping[str, Callable[..., str]]) -> str:
     text = ""
     for place, box in enumerate(row):
-        apart = place > 0 and row[place - 1].kind != "prefix"
+        apart = place > 0 and row[place - 1].kind != "prefix" and box.text != ","
         parts = (_written(part, rules) for part in box.parts)
         text += " " * apart + rules[box.kind](box, *parts)
     return text
@@ -89,7 +89,6 @@ RULES: dict[str, Callable[..., str]] = {
     "fraction": lambda box, above, below: f"\\frac{{{above}}}{{{below}}}",
     "integral": lambda box, lower, upper: f"\\int_{{{lower}}}^{{{upper}}}",
     "call": lambda box, head, argument: f"{head}{' ' * argument[:1].isalnum()}{argument}",
-    "list": lambda box, *items: ", ".join(items),
     "scripts": _scripts,
     "fence": _fence,
     "grid": _grid,

@@ -111,7 +111,6 @@ RULES: dict[str, Callable[..., str]] = {
     ),
     "integral": lambda box, lower, upper: f"∫[{lower}, {upper}]",
     "call": _call,
-    "list": lambda box, *items: ", ".join(items),
     "scripts": _scripts,
     "fence": _fence,
     "grid": _grid,

@@ -60,14 +60,15 @@ def _letter(box: Box) -> str:
 def _word(box: Box) -> str:
     if box.text in WORDS:
         return WORDS[box.text]
-    said = box.text.partition("{")[2].removesuffix("}")
-    return f'class("normal", {spaced(said)})' if said != said.strip() else f"op({words(said)})"
+    return said(box.text.partition("{")[2].removesuffix("}"))
 
 
-def spaced(text: str) -> str:
-    """Return words as a string literal, with the blanks at their ends."""
+def said(text: str) -> str:
+    """Write words with the blanks at their ends; without any, they are an operator."""
+    if text == text.strip():
+        return f"op({words(text)})"
     left, right = (" " if text[k : k + 1 or None].isspace() else "" for k in (0, -1))
-    return f'"{left}{words(text)[1:-1]}{right}"'
+    return f'class("normal", "{left}{words(text)[1:-1]}{right}")'
 
 
 def _around(box: Box, inside: str) -> str:
@@ -112,7 +113,6 @@ RULES: dict[str, Callable[..., str]] = {
     "fraction": lambda box, above, below: f"frac({above}, {below})",
     "integral": lambda box, lower, upper: f"attach(integral, b: {lower}, t: {upper})",
     "call": lambda box, head, argument: f"{head} {argument}",
-    "list": lambda box, *items: r" \, ".join(items),
     "scripts": _scripts,
     "fence": _fence,
     "grid": _grid,
