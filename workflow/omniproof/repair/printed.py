@@ -32,7 +32,7 @@ class Printed:
     """The tree of a misprint; raises `LatexError`, and `ShapeError` for what floats cannot tell."""
 
     def __init__(self, misprint: Misprint) -> None:
-        self.misprint, self.text = misprint, misprint.text
+        self.misprint, self.text, self.characters = misprint, misprint.text, 0
         self.root = misprint.judged(misprint.text)
         self.known: dict[Path, tuple[tree.Node, Values]] = {}
         values = self.learn((), self.root)
@@ -94,10 +94,11 @@ class Printed:
 
     def reread(self, path: Path, text: str) -> tree.Node:
         """Read what a part has become in another text."""
-        if not path:
-            return self.misprint.judged(text)
-        begin, end = self.known[path][0].span
-        return self.misprint.read(text[begin : end + len(text) - len(self.text)])
+        if path:
+            begin, end = self.known[path][0].span
+            text = text[begin : end + len(text) - len(self.text)]
+        self.characters += len(text)
+        return self.misprint.read(text) if path else self.misprint.judged(text)
 
     @cache  # noqa: B019 - it lives as long as one search
     def reached(self, path: Path) -> NDArray[np.bool_]:
