@@ -260,7 +260,7 @@ def _decide(part: Link, setting: Setting, enough: int | None) -> Answer:
     else:
         from omniproof.audit.comparison import compare
 
-        answer = compare(part.left, part.operator, part.right, setting.domain)
+        answer = compare(part.left, part.operator, part.right, setting.domain, part.terms)
     return heard_on(answer, part, setting)
 
 

@@ -15,13 +15,13 @@ import sympy as sp
 
 from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import without_integrals
-from omniproof.audit.smt import Different, Equal, differ_somewhere
 from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.audit.zero_test import DisagreementError, Terms, both_terms, decide_equal
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes
+from omniproof.decide.z3.equation import Different, Equal, differ_somewhere
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.sympy_terms import positive_names, term_if_any, term_of
+from omniproof.formula.sympy_terms import assumed_signs, positive_names, term_if_any, term_of
 from omniproof.formula.term import Term, subtract
 
 Vote = bool | None
@@ -113,7 +113,10 @@ def _suffices(difference: Term, relations: Sequence[Any], positive: frozenset[st
 
 def _smt(answer: Answer, asked: Asked) -> Vote:
     """Ask z3 for a point anywhere: where a domain leaves points out, only "no point" counts."""
-    match differ_somewhere(asked.printed, asked.derived), answer:
+    if asked.terms is None:
+        return None
+    assumed = assumed_signs(asked.printed, asked.derived)
+    match differ_somewhere(*asked.terms, assumed), answer:
         case (Equal(), Proved()) | (Different(), Refuted()):
             return True
         case Equal(), _:
