@@ -28,8 +28,6 @@ MOST_EDITS = 2_000
 MOST_READ = 1_500
 """Pairs of edits at one place, which have to be read anew."""
 MOST_GROUPS = 120
-MOST_CHARACTERS = 300_000
-"""So much is read for pairs at one place: a second or two."""
 MOST_FOR_PAIRS = 1_200
 """Beyond so many single edits, pairs would take seconds."""
 
@@ -63,11 +61,7 @@ class Search:
         if len(near) > MOST_FOR_PAIRS:
             return
         seen: set[tuple[Path, tree.Node]] = set()
-        groups = self.changes(near)[:MOST_GROUPS]
-        most = self.printed.characters + MOST_CHARACTERS
-        for pair in self.pairs(groups):
-            if self.printed.characters > most:
-                return
+        for pair in self.pairs(self.changes(near)[:MOST_GROUPS]):
             both = self.joined(*pair)
             if both is not None and (both.path, both.node) not in seen:
                 seen.add((both.path, both.node))
