@@ -35,7 +35,8 @@ class Context:
     """One paper under audit; `choices` are the readings of its conventions, once chosen, by claim.
 
     Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim,
-    `derived`, what claims are judged by, under each reading, and `domains`, where they are.
+    `derived`, what claims are judged by, under each reading, and `domains`, where they are. Without
+    `mends`, no misprint is mended: the derived form is the correction, and it comes at once.
     """
 
     loaded: LoadedPaper
@@ -46,6 +47,7 @@ class Context:
     lemmas: dict[str, Mapping[str, Any]] = field(default_factory=dict)
     derived: dict[tuple[str, tuple[str, ...]], Derived] = field(default_factory=dict)
     domains: dict[str, Domain] = field(default_factory=dict)
+    mends: bool = True
 
     @cached_property
     def claims(self) -> dict[str, Claim]:
