@@ -19,6 +19,7 @@ from omniproof.decide import balls
 from omniproof.decide.balls import compile_balls, enclose, rational_ball
 from omniproof.decide.normal_form import survey
 from omniproof.decide.prime_fields import parts
+from omniproof.decide.z3 import translation
 from omniproof.formula.angle import circular
 from omniproof.formula.functions import (
     ANGLES,
@@ -47,6 +48,7 @@ ENGINES: dict[str, tuple[Collection[str], Mapping[str, str]]] = {
         survey.LACKING | DEFINED,
     ),
     "decide.prime_fields": (CIRCULAR | ANGLES | parts.SIGNED, parts.LACKING | DEFINED),
+    "decide.z3": (CIRCULAR | ANGLES | {"sqrt", "abs", "power"}, translation.LACKING | DEFINED),
     "audit.digits": (digits.FUNCTIONS, {}),
     "repair.values": (values.FUNCTIONS, {}),
     "audit.enclosure": (enclosure.FUNCTIONS, {}),

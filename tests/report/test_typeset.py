@@ -92,6 +92,12 @@ def words_of(claim: str) -> str:
             (r"$\{ 210 degree \, old(300) degree \}$", r"$\{ 210 degree \, new(330) degree \}$"),
             id="inside of a set",
         ),
+        pytest.param(
+            r"\frac{2 L}{a}",
+            r"\frac{L}{a}",
+            ("$frac(2 L, a)$", "$frac(L, a)$"),
+            id="a fraction is one thing: no marks",
+        ),
         pytest.param("32.9", "33.0", ("$32.9$", "$33.0$"), id="nothing in common, no marks"),
         pytest.param(
             r"\bad x", "x", (r'#raw("\\bad x");', "$x$"), id="what cannot be set has no marks"

@@ -17,6 +17,9 @@ from omniproof.report.shown import shown
 from omniproof.report.typstmath import UnsettableError, read, source
 from omniproof.transcription.model import ID
 
+WHOLE = SMALL | {"fraction"}
+"""In a fraction, marks would grow out of the line."""
+
 
 def math(latex: str) -> str:
     """Return Typst markup of a formula; of one that cannot be set, its LaTeX as code."""
@@ -38,9 +41,9 @@ def contrasted(printed: str, corrected: str) -> tuple[str, str]:
     Formulas that share nothing, or cannot be read, are not marked.
     """
     one, other = shown(printed), shown(corrected)
-    if one is None or other is None or not in_common(one, other):
+    if one is None or other is None or not in_common(one, other, WHOLE):
         return math(printed), math(corrected)
-    found = difference(one, other, SMALL | {"fraction"})
+    found = difference(one, other, WHOLE)
     return _equation(typst(found.one), printed), _equation(typst(found.other), corrected)
 
 

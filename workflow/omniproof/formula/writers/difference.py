@@ -30,10 +30,12 @@ def difference(one: Row, other: Row, whole: frozenset[str] = SMALL) -> Differenc
     return Difference(found.marked(one, other, "old"), found.marked(other, one, "new"), pairs)
 
 
-def in_common(one: Row, other: Row) -> bool:
-    """Whether two rows share a box, or boxes in them do that are compared inside."""
-    runs = _Comparison(SMALL).runs(one, other)
-    return any(equal or any(in_common(*pair) for pair in inside) for equal, _, _, inside in runs)
+def in_common(one: Row, other: Row, whole: frozenset[str] = SMALL) -> bool:
+    """Whether two rows share a box, or boxes in them do that are not marked as a whole."""
+    return any(
+        equal or any(in_common(*pair, whole) for pair in inside)
+        for equal, _, _, inside in _Comparison(whole).runs(one, other)
+    )
 
 
 @dataclass(frozen=True)
