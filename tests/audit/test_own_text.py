@@ -46,7 +46,9 @@ def test_the_stop_names_the_claim_and_the_symbol(
     assert cli.main(["audit", str(tiny_folder)]) == 4
     told = capsys.readouterr()
     assert told.out == ""
-    assert f"DisagreementError: tiny-paper, {claim}: z3 contradicts flint" in told.err
+    assert (
+        f"DisagreementError: tiny-paper, {claim}: direct evaluation contradicts flint" in told.err
+    )
     assert told.err.endswith(f"; its derivation has another symbol named {name}\n")
 
 
