@@ -35,7 +35,8 @@ class Context:
     """One paper under audit; `choices` are the readings of its conventions, once chosen, by claim.
 
     Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim,
-    `derived`, what claims are judged by, under each reading, and `domains`, where they are.
+    `derived`, what claims are judged by, under each reading, and `domains`, where they are. Without
+    `mends`, no misprint is mended: the derived form is the correction, and it comes at once.
     """
 
     loaded: LoadedPaper
@@ -46,6 +47,7 @@ class Context:
     lemmas: dict[str, Mapping[str, Any]] = field(default_factory=dict)
     derived: dict[tuple[str, tuple[str, ...]], Derived] = field(default_factory=dict)
     domains: dict[str, Domain] = field(default_factory=dict)
+    mends: bool = True
 
     @cached_property
     def claims(self) -> dict[str, Claim]:
@@ -91,9 +93,10 @@ class Context:
             )
         return self.known[printed]
 
-    @staticmethod
-    def sympy_symbol(symbol: PrintedSymbol) -> Symbol:
-        """What a variable is in the derivations, by what the paper file says of it."""
+    def sympy_symbol(self, symbol: PrintedSymbol) -> Symbol:
+        """What a variable is in the derivations; where no code says it, the paper file does."""
+        if self.registry.symbols and symbol.name in self.registry.symbols.by_name:
+            return self.registry.symbols.by_name[symbol.name]
         assumption = {"positive": True} if symbol.positive else {"real": True}
         return Symbol(symbol.name, **assumption)
 
@@ -167,6 +170,8 @@ class Context:
         return [*ranges, *self._stated(claim)]
 
     def _ranges(self) -> Iterator[tuple[Symbol, tuple[Any, Any]]]:
+        if self.registry.symbols:
+            yield from self.registry.symbols.ranges.items()
         for printed, (lower, upper) in self.loaded.ranges.items():
             if printed in self.loaded.symbols:
                 symbol = self.sympy_symbol(self.loaded.symbols[printed])
