@@ -25,8 +25,8 @@ from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.unfold import unfold
+from omniproof.formula.writers import latex
 from omniproof.transcription import tree
-from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError
 
 if TYPE_CHECKING:
