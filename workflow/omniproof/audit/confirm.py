@@ -119,8 +119,8 @@ def _smt(answer: Answer, asked: Asked) -> Vote:
     match differ_somewhere(*asked.terms, assumed), answer:
         case (Equal(), Proved()) | (Different(), Refuted()):
             return True
-        case Equal(), _:
-            return False
+        case Equal(widened=widened), _:
+            return None if widened else False
         case Different(), _:
             return None if asked.domain != REALS else False
     return None
