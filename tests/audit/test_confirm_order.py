@@ -15,8 +15,15 @@ from omniproof.audit.positivity import Positive
 from omniproof.audit.relations import judge
 from omniproof.audit.smt_order import Region
 from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.zero_test import DisagreementError
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.answer import (
+    Answer,
+    DisagreementError,
+    OnBranch,
+    Proved,
+    Refuted,
+    Undecided,
+    Witness,
+)
 from omniproof.registry import Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 

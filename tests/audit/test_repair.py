@@ -10,7 +10,7 @@ from omniproof.audit.approximate import evaluate as evaluate_roughly
 from omniproof.audit.edits import edits
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, repair, repair_twice
-from omniproof.audit.zero_test import decide_equal
+from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide.answer import Proved
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.model import Notation

@@ -17,7 +17,7 @@ import sympy as sp
 from questions import ask
 
 from corpus import load
-from omniproof.audit.zero_test import decide_equal
+from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide.answer import Proved
 
 RADIUS = sp.Symbol("r", positive=True)

@@ -14,8 +14,7 @@ from dataclasses import replace
 import sympy as sp
 
 from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
-from omniproof.audit.zero_test import DisagreementError
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.answer import Answer, DisagreementError, OnBranch, Proved, Refuted, Undecided
 
 Sign = tuple[sp.Expr, str]
 """A formula and its relation to zero, as `find_point` takes them."""

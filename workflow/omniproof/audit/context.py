@@ -4,26 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property, partial
+from functools import cached_property
+from itertools import chain
 from typing import Any
 
 from sympy import Gt, Lt, MatrixBase, Symbol
 
-from omniproof.audit.definedness import lost_conditions
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
-from omniproof.audit.sympy_domain import Domain
+from omniproof.audit.sympy_domain import Domain, in_terms
+from omniproof.decide import domain as decide
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import Function, Lifted, evaluate
+from omniproof.formula.monomials import is_plainly_zero
 from omniproof.formula.sympy_terms import Converter
+from omniproof.formula.term import Term, divide
 from omniproof.formula.unfold import unfold
+from omniproof.formula.value import terms_in
+from omniproof.formula.where_defined import requirements
 from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
 from omniproof.transcription.checking import known_names
 from omniproof.transcription.conventions import Names
 from omniproof.transcription.loader import LoadedPaper
-from omniproof.transcription.model import Claim, Role
+from omniproof.transcription.model import Claim, Kind, Role
 from omniproof.transcription.model import Symbol as PrintedSymbol
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
@@ -35,7 +40,8 @@ class Context:
     """One paper under audit; `choices` are the readings of its conventions, once chosen.
 
     Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim,
-    `derived`, what claims are judged by, under each reading, and `domains`, where they are.
+    `derived`, what claims are judged by, under each reading, `domains`, where they are, and
+    `converters`, which know the symbols of each claim.
     """
 
     loaded: LoadedPaper
@@ -46,6 +52,7 @@ class Context:
     lemmas: dict[str, Mapping[str, Any]] = field(default_factory=dict)
     derived: dict[tuple[str, tuple[str, ...]], Derived] = field(default_factory=dict)
     domains: dict[str, Domain] = field(default_factory=dict)
+    converters: dict[str, Converter] = field(default_factory=dict)
 
     @cached_property
     def claims(self) -> dict[str, Claim]:
@@ -141,8 +148,18 @@ class Context:
 
     def unfolded(self, claim: str, node: Node) -> Any:
         """The same as terms, in which nothing is simplified; raises `LatexError`."""
-        meanings = Lifted(self.meanings_at(claim, node), Converter())
-        return unfold(node, meanings, self.printed(claim))
+        return self._unfolded(claim, node, self.printed(claim))
+
+    def _unfolded(self, claim: str, node: Node, text: str) -> Any:
+        converter = self.converters.setdefault(claim, Converter())
+        return unfold(node, Lifted(self.meanings_at(claim, node), converter), text)
+
+    def factor(self, side: Term, text: str, claim: str) -> Any:
+        """Return what stands before a printed part that makes it a side, in SymPy."""
+        node = read_with(text, self.loaded.paper.notation, self.names)
+        part = self._unfolded(claim, node, text)
+        quotient = divide(side, part)
+        return 1 if is_plainly_zero(part) else self.converters[claim].expression(quotient)
 
     def domain(self, claim: str) -> Domain:
         """Where a claim is judged: the ranges of the symbols, and what the claim assumes.
@@ -159,7 +176,7 @@ class Context:
         for name, (lower, upper) in ranges.items():
             if sign(subtract(upper, lower)) <= 0:
                 raise UnsupportedError(f"no value of {name} is left")
-        return domain_of([*self._stated(claim), *self._lost_conditions(claim)], Domain(ranges))
+        return domain_of([*self._stated(claim), *self._defined(claim)], Domain(ranges))
 
     def assumed(self, claim: str) -> list[Any]:
         """Return the same as SymPy relations: `domain` does not tell closed ends from open ones."""
@@ -176,10 +193,19 @@ class Context:
         stated = self.loaded.assumptions.get(claim, ())
         return [evaluate(node, self.meanings_at(claim, node)) for node in stated]
 
-    def _lost_conditions(self, claim: str) -> tuple[Any, ...]:
-        if claim not in self.loaded.trees:
-            return ()
-        return lost_conditions(self.loaded.trees[claim], partial(self.evaluate, claim))
+    def _defined(self, claim: str) -> list[Any]:
+        """Return where a printed order is defined, which its values in SymPy may have forgotten."""
+        if claim not in self.loaded.trees or self.claims[claim].kind is Kind.IDENTITY:
+            return []
+        value = self.unfolded(claim, self.loaded.trees[claim])
+        expression = self.converters[claim].expression
+        return [expression(each) for each in requirements(*terms_in(value))]
+
+    def domain_in_terms(self, claim: str, derived: Any) -> decide.Domain:
+        """Return where an equation of a claim is judged, with the signs of all symbols in it."""
+        self.meanings_at(claim, Name(""))
+        own = (getattr(value, "free_symbols", ()) for value in self.lemmas[claim].values())
+        return in_terms(self.domain(claim), [*self.variables, *chain(*own), *derived.free_symbols])
 
     def sides(self, claim: str) -> tuple[Node, ...]:
         """Sides of a printed equation that its derivation is held against.

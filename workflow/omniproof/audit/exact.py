@@ -1,4 +1,4 @@
-"""Signs of exact numbers: balls at rising precision, and the normal form where they meet zero."""
+"""Signs and differences of exact numbers in SymPy."""
 
 from __future__ import annotations
 
@@ -6,13 +6,9 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.balls import evaluate, exact_number
-from omniproof.decide.balls import sign_of
-from omniproof.decide.normal_form.form import normal_form
-from omniproof.formula.errors import UnsupportedError
+from omniproof.audit.balls import exact_number
+from omniproof.decide import exact
 from omniproof.formula.sympy_terms import term_of
-
-PRECISIONS = (64, 256, 1_024, 4_096)
 
 
 def sign(number: sp.Expr) -> int:
@@ -20,17 +16,7 @@ def sign(number: sp.Expr) -> int:
 
     Raises `UnsupportedError` when it is not finite, or when its being zero cannot be proved.
     """
-    for precision in PRECISIONS:
-        ball = evaluate(number, precision=precision)
-        certain = sign_of(ball)
-        if certain is not None:
-            return certain
-        if precision == PRECISIONS[1]:
-            if not ball.is_finite():
-                raise UnsupportedError(f"{number} is not a finite real number")
-            if normal_form(term_of(number)).is_zero:
-                return 0
-    raise UnsupportedError(f"{number} is too small for its sign to be told")
+    return exact.sign(term_of(number))
 
 
 def vanishes(number: sp.Expr) -> bool:

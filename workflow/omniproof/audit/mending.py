@@ -10,12 +10,12 @@ from typing import Any
 from sympy import MatrixBase
 
 from omniproof.audit.approximate import Values, at_points
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Repair as Grade
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair, repair_twice
 from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Proved
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate

@@ -10,16 +10,16 @@ import numpy as np
 
 from omniproof.audit.approximate import ShapeError, Values, at_points, evaluate
 from omniproof.audit.definitions import definitions
-from omniproof.audit.direct import heard_on
 from omniproof.audit.likeness import likeness
 from omniproof.audit.repair import QuickLook, Repair, repair
 from omniproof.audit.setting import Assumptions, Setting
-from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_unclear
-from omniproof.audit.zero_test import decide_equal
 from omniproof.decide.answer import Answer, Proved
-from omniproof.formula import evaluation
+from omniproof.decide.direct import heard_on
+from omniproof.decide.statement import Link, links
+from omniproof.decide.zero_test import decide_equal
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.unfold import unfold
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import LatexError
 
@@ -39,7 +39,7 @@ def remedies(
 
     def value(side: tree.Node) -> Any:
         if side not in known:
-            known[side] = evaluation.evaluate(side, setting.meanings)
+            known[side] = unfold(side, setting.letters)
         return known[side]
 
     def is_true(text: str) -> bool:
@@ -50,7 +50,8 @@ def remedies(
         return all(isinstance(answer(step), Proved) for step in steps)
 
     def answer(step: Link) -> Answer:
-        return heard_on(decide_equal(step.left, step.right, setting.domain), step, setting)
+        found = decide_equal(step.left, step.right, setting.domain)
+        return heard_on(found, step, setting.names, setting.domain)
 
     quick = _quick_look(node, assumptions, setting.meanings)
     found = repair(printed, is_true, sorted(setting.meanings), quick)

@@ -17,7 +17,7 @@ from omniproof.audit.ledger import Ledger, Row
 from omniproof.audit.other_notation import misread
 from omniproof.audit.own_text import refuse_own_text, same_by_name
 from omniproof.audit.readings import load_readings, unfit
-from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.answer import DisagreementError
 from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault

@@ -13,6 +13,7 @@ from operator import mul
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from omniproof.formula.angle import CIRCULAR, circular
 from omniproof.formula.errors import UnsupportedError
@@ -106,9 +107,9 @@ def _integral(node: Any) -> Term:
 
 
 def _call(node: Any) -> Term:
-    """Name a function; one that no engine knows is as good as any other number."""
-    name = NAMES.get(node.func) or (str(node.func) if node.is_Function else "")
-    if not (name and node.args) or isinstance(node, sp.Piecewise):
+    """Name a function of the table, or one that is not known, and so may be any."""
+    name = NAMES.get(node.func) or (str(node.func) if isinstance(node, AppliedUndef) else "")
+    if not name:
         raise UnsupportedError(_refusal(node))
     return Call(name, tuple(map(_term, node.args)))
 
@@ -203,7 +204,7 @@ def _applied(function: str, *arguments: Any) -> Any:
     SymPy tells the signs of most functions from two digits: an arc cosine near 0 is 0 for it, and a
     cotangent near a pole may be on the wrong side. Sine, cosine and arc sine are told to the end.
     """
-    apply = SYMPY_FUNCTIONS.get(function, sp.Function(function))
+    apply = SYMPY_FUNCTIONS.get(function) or sp.Function(function, real=True)
     try:
         value = apply(*arguments)
     except (TypeError, AttributeError):  # it cannot order numbers of hundreds of digits
