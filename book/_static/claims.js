@@ -67,7 +67,7 @@
     dialog.showModal();
   };
 
-  // The right form stands in attributes of `place`; a card can be disputed, too.
+  // The right form stands in attributes of `place`.
   const tools = (place, name, card) => {
     const tools = make("p", "", { className: "tools" });
     const status = make("span", "");
@@ -81,7 +81,7 @@
       const text = place.dataset[kind];
       if (text) add(`Copy ${label}`, () => copy(text, (said) => (status.textContent = said)));
     }
-    if (card) add("Dispute", () => show(dispute(card, place)));
+    add("Dispute", () => show(dispute(card, place)));
     tools.append(status);
     return tools;
   };
@@ -97,9 +97,5 @@
       if (!facts.closest("details:not([open])")) equip(facts);
   };
   document.addEventListener("toggle", (event) => event.target.open && equipOpen(event.target), true);
-  document.addEventListener("DOMContentLoaded", () => {
-    equipOpen(document);
-    for (const place of document.querySelectorAll(".copyable"))
-      place.append(tools(place, place.dataset.name, null));
-  });
+  document.addEventListener("DOMContentLoaded", () => equipOpen(document));
 })();

@@ -32,7 +32,8 @@ def small_results(folder: Path) -> Path:
     shutil.copytree(RESULTS, folder)
     (folder / "notebooks").mkdir()
     paper, all_papers = Chapter.open("omni-arrangement", RESULTS), Overview.open(RESULTS)
-    chapter = [paper.counts(), paper.table("tab:2["), paper.figure(5), paper.all_theorems()]
+    chapter = [paper.counts(), paper.answers(), paper.table("tab:2["), paper.figure(5)]
+    chapter.append(paper.all_theorems())
     pages: dict[str, list[Fragment | Written]] = {
         "index": [all_papers.counts(), all_papers.headlines(HEADLINES)],
         "findings": [all_papers.findings()],

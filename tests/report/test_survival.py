@@ -8,7 +8,6 @@ from sympy import sympify
 from omniproof.audit.ledger import Ledger, Row, Verdict
 from omniproof.corrected.formula import Formula
 from omniproof.report.derived import Derived
-from omniproof.report.fragments import Chapter
 from omniproof.report.survival import Fate, conclusions, fate, faults, replaced
 from omniproof.transcription.model import Kind
 
@@ -88,15 +87,6 @@ def test_a_misprint_once_more_needs_no_formula_of_its_own() -> None:
         row("eq:3", follows="eq:1", **misprint | {"printed": "-x y", "correction": "x y"}),
     ]
     assert [group[0].id for group in replaced(ledger(*rows))] == ["eq:1", "eq:3"]
-
-
-def test_the_section_says_what_to_use_instead(chapter: Chapter, outline: type) -> None:
-    html = chapter.survives().html
-    text = outline(html).text
-    assert "inverse_times_determinant(alpha_1, alpha_2, alpha_3)" in text
-    assert "Matrix([[cos(alpha_2) - cos(alpha_3)," in text
-    assert r"\changed{\sin \alpha_1 - \sin \alpha_2}" in html
-    assert 'data-latex="\\begin{pmatrix}' in html
 
 
 def test_a_paper_that_nobody_derived_has_no_code_behind_it() -> None:

@@ -22,8 +22,9 @@ def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Pages without a theme, made of the fragments themselves; every test breaks its own copy."""
     folder = tmp_path_factory.mktemp("sound")
     chapter, overview = Chapter.open("omni-arrangement", RESULTS), Overview.open(RESULTS)
+    first = [chapter.counts(), chapter.answers(), chapter.figure(5), chapter.table("tab:2[")]
     pages = {
-        CHAPTER: [chapter.counts(), chapter.figure(5), chapter.table("tab:2["), chapter.rest()],
+        CHAPTER: [*first, chapter.rest()],
         "index.html": [overview.counts(), overview.headlines({"omni-arrangement eq:6[1,2]": "x"})],
     }
     for name, fragments in pages.items():

@@ -5,6 +5,7 @@ REQUIRED INPUTS:
     pages    = book/*
     chapters = results/notebooks/{chapter}.ipynb
     ledgers  = results/ledger/{paper}.json
+    printed  = paper_data/{paper}/*
     table    = results/ledger.csv
     theorems = results/theorems.json
     tables   = results/tables/{paper}/table-{number}.csv
@@ -49,6 +50,7 @@ rule validate:
         index="book/_build/html/index.html",
         crate="book/_build/html/ro-crate-metadata.json",
         ledgers=ledgers_of(*settings.papers),
+        printed=[file for paper in settings.papers for file in paper_data(paper)],
         figures=[*figures_of(*settings.told), *architecture()],
         package=package("report.validate"),
     output:

@@ -134,9 +134,9 @@ def code_of(chapter):
 
 
 def printed_in(chapter):
-    """Return what the papers print that a chapter holds its own formulas against."""
+    """Return what the papers print that a chapter tells, or holds its own formulas against."""
     text = Path("notebooks", f"{chapter}.md").read_text(encoding="utf-8")
-    papers = dict.fromkeys(re.findall(r'\bprinted\("([a-z0-9-]+)"', text))
+    papers = dict.fromkeys(re.findall(r'\b(?:printed|Chapter\.open)\("([a-z0-9-]+)"', text))
     return [file for paper in papers for file in paper_data(paper)]
 
 

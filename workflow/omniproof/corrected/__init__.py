@@ -13,9 +13,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from omniproof.corrected import ballbot, omni_arrangement, omni_trajectory, two_roller_sphere
+from omniproof.corrected.answer import Answers
 from omniproof.corrected.formula import Functions
 
-__all__ = ["FUNCTIONS", "ballbot", "omni_arrangement", "omni_trajectory", "two_roller_sphere"]
+__all__ = [
+    "ANSWERS",
+    "FUNCTIONS",
+    "ballbot",
+    "omni_arrangement",
+    "omni_trajectory",
+    "two_roller_sphere",
+]
 
 FUNCTIONS: Mapping[str, Functions] = {
     "omni-arrangement": omni_arrangement.FUNCTIONS,
@@ -28,3 +36,9 @@ FUNCTIONS: Mapping[str, Functions] = {
 
 The paper on three rollers has no false formula, so it has no function.
 """
+
+ANSWERS: Mapping[str, Answers] = {
+    "omni-arrangement": omni_arrangement.ANSWERS,
+    "omni-trajectory": omni_trajectory.ANSWERS,
+}
+"""Paper -> equation -> how its parts stand together; of others, they stand one after the other."""

@@ -8,7 +8,14 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
+from omniproof.corrected.answer import Answer, Answers, Line
 from omniproof.corrected.formula import Array, Formula, Functions
+
+
+def inverse(alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike) -> Array:
+    """Return the inverse of A, on to (V_x, V_y, L phi-dot), `(..., 3, 3)`: Eq. (6)."""
+    factor = _FACTOR(alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3)
+    return factor[..., None, None] * inverse_times_determinant(alpha_1, alpha_2, alpha_3)
 
 
 def inverse_times_determinant(alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike) -> Array:
@@ -60,6 +67,7 @@ def _edges(columns: Array) -> dict[str, ArrayLike]:
 
 
 _PAPER = "omni-arrangement"
+_FACTOR = Formula(_PAPER, "eq:6/factor")
 _INVERSE = Formula(_PAPER, "eq:6")
 _VOLUME = Formula(_PAPER, "eq:11")
 _ISOSCELES = Formula(_PAPER, "eq:12")
@@ -79,4 +87,104 @@ FUNCTIONS: Functions = {
     "eq:A.3": determinant,
     "eq:B.2": height,
     "eq:B.3#2/volume": volume,
+}
+
+_SPEEDS = r"\begin{pmatrix} v_1 \\ v_2 \\ v_3 \end{pmatrix}"
+
+ANSWERS: Answers = {
+    "eq:1": Answer("where a wheel stands", (Line("<eq:1>", name="q_k"),)),
+    "eq:2": Answer("where a wheel drives", (Line("<eq:2>", name="n_k"),)),
+    "eq:4": Answer("speed of a wheel", (Line("v_k <eq:4>"),)),
+    "eq:5": Answer(
+        "wheel matrix", (Line(rf"{_SPEEDS} = <eq:5> <eq:5/twist>", ("eq:5",), name="A"),)
+    ),
+    "eq:6": Answer(
+        "inverse of the wheel matrix",
+        (
+            Line(
+                rf"<eq:6/twist> = <eq:6/factor> <eq:6> {_SPEEDS}",
+                ("eq:6",),
+                "eq:7",
+                inverse,
+                "inverse(alpha_1=0.5, alpha_2=2.6, alpha_3=4.7)",
+            ),
+        ),
+        "With the minus, $\\mathbf{A}$ times this matrix is $\\det\\mathbf{A}$ times the unit "
+        "matrix. With the printed plus, the third wheel drives the robot in another direction.",
+    ),
+    "eq:7": Answer("determinant of the wheel matrix", (Line("<eq:7>", name="det_A"),)),
+    "eq:8": Answer("speeds of the wheels", (Line(r"W = \{(v_1, v_2, v_3) \mid <eq:8/bounds>\}"),)),
+    "eq:9": Answer("what the wheels reach", (Line(r"(V_x, V_y, L\dot{\phi})^T = <eq:9>"),)),
+    "eq:10": Answer(
+        "columns of the inverse", tuple(Line(f"<eq:10/a{k}>", name=f"a_{k}") for k in (1, 2, 3))
+    ),
+    "eq:11": Answer(
+        "image volume",
+        (
+            Line(
+                "D_V = <eq:11>",
+                function=image_volume,
+                call="image_volume(alpha_1=0.5, alpha_2=2.6, alpha_3=4.7)",
+            ),
+        ),
+        "A volume is not negative; $\\det\\mathbf{A}$ is, for wheels numbered clockwise.",
+    ),
+    "eq:12": Answer(
+        "image volume of isosceles arrangements",
+        (
+            Line(
+                r"D_V(\theta) = <eq:12>",
+                function=image_volume_isosceles,
+                call="image_volume_isosceles(theta=0.5)",
+            ),
+        ),
+        "The printed form is negative for $\\theta$ beyond a right angle.",
+    ),
+    "eq:13": Answer("what the wheels reach in the plane", (Line(r"(V_x, V_y, 0)^T = <eq:13>"),)),
+    "eq:14": Answer("its columns", tuple(Line(f"<eq:14/a{k}>", name=f"a_{k}") for k in (1, 2, 3))),
+    "eq:15": Answer(
+        "projected area",
+        (
+            Line(r"D_A = <eq:15/case-1>"),
+            Line("<eq:15/case-1-condition>"),
+            Line("D_A = <eq:15/case-2>"),
+            Line("<eq:15/case-2-condition>"),
+        ),
+    ),
+    "sec:4/type-z-angles": Answer(
+        "angles of Type (Z)", (Line(r"\{\alpha_1, \alpha_2, \alpha_3\} = <sec:4/type-z-angles>"),)
+    ),
+    "eq:A.1": Answer("inverse by cofactors", (Line("A^{-1} = <eq:A.1/factor> <eq:A.1>"),)),
+    "eq:A.4": Answer(
+        "cofactors of the third column",
+        tuple(
+            Line(display)
+            for k in (1, 2, 3)
+            for display in (
+                f"<eq:A.4/a3{k}-line-1>",
+                rf"\widetilde{{a}}_{{3,{k}}} <eq:A.4/a3{k}-line-2>",
+            )
+        ),
+    ),
+    "eq:B.2": Answer(
+        "height of a parallelepiped",
+        (
+            Line(
+                r"\overline{\mathbf{OH}} = <eq:B.2>",
+                function=height,
+                call="height(np.array([[2.0, 1.0, 5.0], [0.0, 3.0, 6.0], [0.0, 0.0, -7.0]]))",
+            ),
+        ),
+    ),
+    "eq:B.3#2": Answer(
+        "volume of a parallelepiped",
+        (
+            Line(
+                "<eq:B.3#2/volume>",
+                function=volume,
+                call="volume(np.array([[2.0, 1.0, 5.0], [0.0, 3.0, 6.0], [0.0, 0.0, -7.0]]))",
+            ),
+            Line("<eq:B.3#2/determinant>"),
+        ),
+    ),
 }

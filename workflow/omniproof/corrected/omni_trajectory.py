@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
+from omniproof.corrected.answer import Answer, Answers, Line
 from omniproof.corrected.formula import Array, Formula, Functions
 from omniproof.corrected.sampled import sampled_integral
 
@@ -49,6 +50,11 @@ def centre_vector(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> Array:
     return _VECTOR(a=a, b=b, c=c)
 
 
+def centre(a: ArrayLike, b: ArrayLike, c: ArrayLike, L: ArrayLike) -> Array:
+    """Return the centre of the circular path that starts at the origin, m, `(..., 2)`: Eq. (16)."""
+    return centre_factor(a, b, c, L)[..., None] * centre_vector(a, b, c)
+
+
 _PAPER = "omni-trajectory"
 _X = Formula(_PAPER, "eq:8")
 _Y = Formula(_PAPER, "eq:9")
@@ -66,4 +72,86 @@ FUNCTIONS: Functions = {
     "eq:14/speeds": initial_direction,
     "eq:16/factor": centre_factor,
     "eq:16/line-1": centre_vector,
+}
+
+_SPEEDS = r"\begin{pmatrix} v_1 \\ v_2 \\ v_3 \end{pmatrix}"
+
+_SAMPLES = "np.linspace(0, 1, 11), np.ones(11), np.ones(11), np.zeros(11), L=0.2"
+_WHEELS = "a=0.1, b=-0.2, c=0.4"
+
+ANSWERS: Answers = {
+    "eq:1": Answer(
+        "wheel matrix", (Line(rf"{_SPEEDS} = <eq:1> <eq:1/twist>", ("eq:1",), name="A"),)
+    ),
+    "eq:2": Answer("speeds of the rims", (Line(rf"{_SPEEDS} = <eq:2>"),)),
+    "eq:3": Answer(
+        "wheel matrix of the equilateral arrangement",
+        (Line(rf"{_SPEEDS} = <eq:3> <eq:3/twist>", ("eq:3",), name="A"),),
+    ),
+    "eq:4": Answer(
+        "its inverse", (Line(rf"<eq:3/twist> = <eq:4> {_SPEEDS}", ("eq:4",), name="inverse"),)
+    ),
+    "eq:5": Answer("yaw rate", (Line(r"\dot{\phi} = <eq:5>", name="yaw_rate"),)),
+    "eq:7": Answer(
+        "from the robot to the world",
+        (
+            Line("<eq:7/world>"),
+            Line("<eq:7/body>"),
+            Line("<eq:7>", name="T"),
+        ),
+    ),
+    "eq:8": Answer(
+        "path, first coordinate",
+        (Line("X_W = <eq:8>", function=path_x, call=f"path_x({_SAMPLES})"),),
+        "The thirds of the inverse, Eq. (4), are missing: a path comes out three times too long.",
+    ),
+    "eq:9": Answer(
+        "path, second coordinate",
+        (Line("Y_W = <eq:9>", function=path_y, call=f"path_y({_SAMPLES})"),),
+        "The thirds of the inverse, Eq. (4), are missing: a path comes out three times too long.",
+    ),
+    "eq:11": Answer("speed", (Line(r"\|\mathbb{V}_{\mathcal{W}}\| <eq:11>", name="speed"),)),
+    "eq:12": Answer("speed", (Line(r"\|\mathbb{V}_{\mathcal{W}}\| <eq:12>", name="speed"),)),
+    "eq:13": Answer(
+        "radius of the circle",
+        (
+            Line(
+                r"\mathcal{R} <eq:13>",
+                function=circle_radius,
+                call=f"circle_radius({_WHEELS}, L=0.2)",
+            ),
+        ),
+        "A ratio of speeds is no length: a robot twice as large runs on a circle twice as large.",
+    ),
+    "eq:14": Answer(
+        "direction of travel",
+        (
+            Line(
+                r"\psi = <eq:14/velocities>",
+                function=direction,
+                call="direction(x_velocity=0.3, y_velocity=0.1, phi=0.5)",
+            ),
+            Line(
+                r"\psi = <eq:14/speeds>",
+                function=initial_direction,
+                call=f"initial_direction({_WHEELS})",
+            ),
+        ),
+        "The tangent of a direction is $\\dot{Y}/\\dot{X}$, and the opposite one has it, too.",
+    ),
+    "eq:15": Answer("centre of the circle", (Line(r"\mathbb{O}_R = <eq:15>"),)),
+    "eq:16": Answer(
+        "centre of the circle",
+        (
+            Line(
+                r"\mathbb{O}_R = <eq:16/factor> <eq:16/line-1>",
+                ("eq:16/factor", "eq:16/line-1"),
+                function=centre,
+                call=f"centre({_WHEELS}, L=0.2)",
+            ),
+            Line(r"\mathbb{O}_R <eq:16/line-2>", name="centre"),
+        ),
+        "Turned by a right angle, $(x, y)$ becomes $(-y, x)$; and the vector is three times the "
+        "velocity, so that of the factor $3L/(a+b+c)$ the third is left.",
+    ),
 }

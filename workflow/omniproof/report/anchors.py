@@ -19,6 +19,11 @@ def anchor(claim_id: str) -> str:
     return _OTHER.sub("-", claim_id).strip("-")
 
 
+def rows_anchor(equation: str) -> str:
+    """Return the page anchor of an equation's rows; its own is borne by its answer."""
+    return f"rows-{anchor(equation)}"
+
+
 def unique_anchors(claim_ids: Iterable[str]) -> dict[str, str]:
     """Return id -> anchor.
 

@@ -19,8 +19,8 @@ from omniproof.audit.ledger import Consequence, Row
 from omniproof.report.anchors import anchor
 from omniproof.report.corrigendum import Corrigendum, Item, Premise, place
 from omniproof.report.fragments.base import sentences
-from omniproof.report.fragments.claims import Group, matrix_of, symbol_latex
-from omniproof.report.fragments.survival import corrected_latex
+from omniproof.report.fragments.claims import symbol_latex
+from omniproof.report.groups import Group, matrix_of
 from omniproof.report.theme import MARKS
 from omniproof.report.typstmath import cell, contrasted, inline, is_formula, math, words
 from omniproof.transcription.ids import base, index
@@ -128,11 +128,15 @@ def _premise(premise: Premise) -> str:
     return _call("premise", [*(f"{name}: {text}," for name, text in named.items()), *lines])
 
 
+def _right(row: Row) -> str:
+    return row.correction or row.derived or row.printed
+
+
 def _formula(rows: tuple[Row, ...]) -> str:
     """Return one line of a premise's table: a formula as printed, and as it should read."""
     group = Group(base(rows[0].id), rows)
     printed = (group.whole or matrix_of(group, lambda row: row.printed)) or rows[0].printed
-    corrected = corrected_latex(group)
+    corrected = matrix_of(group, _right) if group.is_matrix else _right(rows[0])
     reach = next((row.consequence for row in rows if row.consequence), "")
     faulty = next(row for row in rows if row.verdict.is_fault)
     return (

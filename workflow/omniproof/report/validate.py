@@ -17,6 +17,7 @@ from urllib.parse import unquote, urlsplit
 
 from omniproof.audit.ledger import Ledger, Verdict
 from omniproof.report.anchors import anchor, unique_anchors
+from omniproof.report.answered import answer_faults
 from omniproof.report.cards import card_faults
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.counts import ALL, verdict_counts
@@ -148,7 +149,7 @@ def validate_book(html: Path, ledgers: Sequence[Ledger], figures: Iterable[Path]
     faults = [
         *_sum_faults(pages.get("index.html"), ledgers),
         *(fault for ledger in ledgers for fault in _chapter_faults(pages, ledger)),
-        *(fault for ledger in ledgers for fault in _card_faults(html, ledger)),
+        *(fault for ledger in ledgers for fault in _claim_faults(html, ledger)),
         *_theorem_faults(html, pages.values()),
         *(fault for path in figures for fault in _shown_faults(pages, path)),
         *(fault for page in pages.values() for fault in _page_faults(html, page, pages)),
@@ -174,12 +175,13 @@ def _chapter_faults(pages: dict[str, Page], ledger: Ledger) -> Iterator[str]:
             yield from _count_faults(shown, ledger.paper, expected)
 
 
-def _card_faults(html: Path, ledger: Ledger) -> Iterator[str]:
-    """What the cards of a chapter lack; a chapter that is missing has been named before."""
+def _claim_faults(html: Path, ledger: Ledger) -> Iterator[str]:
+    """What answers and cards of a chapter lack; one that is missing has been named before."""
     page = html / f"{ledger.paper}.html"
     if page.is_file():
         text = page.read_text(encoding="utf-8")
         yield from card_faults(page.name, text, ledger, Derived(ledger))
+        yield from answer_faults(page.name, text, ledger)
 
 
 def _theorem_faults(html: Path, pages: Iterable[Page]) -> Iterator[str]:

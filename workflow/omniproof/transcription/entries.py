@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from omniproof.transcription.tree import MatrixLiteral, Node, Power, Tuple, children
+from omniproof.transcription.tree import MatrixLiteral, Node, Power, Span, Tuple, children
 
 
 def entry_source(
@@ -12,16 +12,24 @@ def entry_source(
 ) -> str | None:
     """Return entry `index` (one or two numbers from 1) of the matrix or vector in a tree, verbatim.
 
-    `text` is what `node` was read from; `shape` (rows, columns) narrows the choice. `None` where
-    no printed matrix has such an entry, or more than one. The entries of a matrix that is raised
-    to a power, or inverted, are not those of the result.
+    `text` is what `node` was read from; `shape` as in `entry_span`. `None` where there is none.
+    """
+    span = entry_span(node, index, shape)
+    return text[slice(*span)] if span else None
+
+
+def entry_span(
+    node: Node, index: Sequence[int], shape: tuple[int, int] | None = None
+) -> Span | None:
+    """Return where entry `index` of the matrix or vector in a tree stands in its text.
+
+    `shape` (rows, columns) narrows the choice. `None` where no printed matrix has such an entry, or
+    more than one. The entries of a matrix that is raised to a power, or inverted, are not those of
+    the result.
     """
     grids = map(_grid, _outside_powers(node))
     found = [grid for grid in grids if grid and _fits(grid, index, shape)]
-    if len(found) != 1:
-        return None
-    entry = _entry(found[0], index)
-    return text[entry.span[0] : entry.span[1]]
+    return _entry(found[0], index).span if len(found) == 1 else None
 
 
 def _outside_powers(node: Node) -> Iterator[Node]:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from omniproof.audit.ledger import Ledger
-from omniproof.report.anchors import anchor, selects, unique_anchors
-from omniproof.transcription.ids import base
+from omniproof.report.anchors import anchor, rows_anchor, selects, unique_anchors
+from omniproof.transcription.ids import base, whole
 
 
 class Addresses:
@@ -15,9 +17,12 @@ class Addresses:
         self._of_rows = unique_anchors(row.id for row in ledger.rows)
         self._of_groups = {base(claim): anchor(base(claim)) for claim in self._of_rows}
         self._taken = set(self._of_rows.values())
+        self._answered: set[str] = set()
 
     def find(self, claim_id: str) -> str | None:
         """Return the anchor of a claim, a matrix or table, or of the first claim inside a place."""
+        if claim_id in self._answered:
+            return anchor(claim_id)
         for known in (self._of_rows, self._of_groups):
             if claim_id in known:
                 return known[claim_id]
@@ -29,3 +34,18 @@ class Addresses:
         free = address not in self._taken
         self._taken.add(address)
         return free
+
+    def give_to_answers(self, equations: Iterable[str]) -> None:
+        """Let the blocks of answers bear the addresses of these equations, and not their rows."""
+        self._answered.update(equations)
+        self._taken.update(map(anchor, self._answered))
+
+    def is_answered(self, claim_id: str) -> bool:
+        """Whether the address of a claim is borne by the answer for it."""
+        return claim_id in self._answered
+
+    def rows_of(self, claim_id: str) -> str | None:
+        """Return the address of the rows of an answered equation, for the first of them only."""
+        equation = whole(claim_id)
+        address = rows_anchor(equation)
+        return address if equation in self._answered and self.take(address) else None

@@ -11,8 +11,10 @@ from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, Row, Verdict, read_json
 from omniproof.report.anchors import anchor, selects
+from omniproof.report.answers import Equations
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.addresses import Addresses
+from omniproof.report.fragments.answers import answers_html
 from omniproof.report.fragments.base import (
     Fragment,
     Written,
@@ -21,13 +23,14 @@ from omniproof.report.fragments.base import (
     results_folder,
     table,
 )
-from omniproof.report.fragments.claims import group_html, groups
+from omniproof.report.fragments.claims import group_html
 from omniproof.report.fragments.counts import accounting_html
 from omniproof.report.fragments.figures import drawn_html
 from omniproof.report.fragments.survival import survives_html
 from omniproof.report.fragments.tables import Labels, beside_html, grid_html, list_html
 from omniproof.report.fragments.theorems import Theorem, read_theorems, theorem_markdown
 from omniproof.report.fragments.values import Value
+from omniproof.report.groups import Group, groups
 from omniproof.report.latexfmt import cell
 from omniproof.transcription.ids import base
 
@@ -54,6 +57,12 @@ class Chapter:
     def row(self, claim_id: str) -> Row:
         """Return one row. Raises `KeyError` when the ledger has no such id."""
         return self._rows[claim_id]
+
+    def answers(self) -> Fragment:
+        """Show every numbered equation as a whole, with what to use; before the rows of any."""
+        equations = Equations(self.ledger)
+        self._addresses.give_to_answers(n for n in equations.answers if n.startswith("eq:"))
+        return Fragment(answers_html(equations, self.href), "answers")
 
     def claims(self, *selectors: str) -> Fragment:
         """Show the cards of all claims that the selectors name (`eq:6` names its entries too)."""
@@ -116,8 +125,8 @@ class Chapter:
         return Fragment(accounting_html(self.ledger) + link_to_pdf, "counts")
 
     def survives(self) -> Fragment:
-        """Show which conclusions stand, which fall with which fault, and what to use instead."""
-        return Fragment(survives_html(self.ledger, self.href, self._derived), "what survives")
+        """Show which conclusions stand, and which fall with which fault."""
+        return Fragment(survives_html(self.ledger, self.href), "what survives")
 
     def value(self, claim_id: str, column: str = "printed") -> Value:
         """Return one cell of the ledger for running text (see `in_text`)."""
@@ -129,16 +138,15 @@ class Chapter:
         return f"#{address}" if address else None
 
     def _cards(self, rows: Iterable[Row], name: str) -> Fragment:
-        cards = (
-            group_html(
-                group,
-                self.href,
-                addressed=self._addresses.take(anchor(group.base)),
-                derived=self._derived,
-            )
-            for group in groups(rows)
-        )
-        return Fragment(f'<div class="claims">{"".join(cards)}</div>', f"claims {name}")
+        cards = "".join(map(self._card, groups(rows)))
+        return Fragment(f'<div class="claims">{cards}</div>', f"claims {name}")
+
+    def _card(self, group: Group) -> str:
+        free = not self._addresses.is_answered(group.base)
+        addressed = free and (not group.is_matrix or self._addresses.take(anchor(group.base)))
+        html = group_html(group, self.href, addressed=addressed, derived=self._derived)
+        rows = self._addresses.rows_of(group.base)
+        return f'<span id="{rows}"></span>{html}' if rows else html
 
     def _boxed(self, rows: Iterable[Row], html: str) -> str:
         """Put a table into a box with the address of the table that the rows are cells of."""

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
@@ -21,11 +20,10 @@ from omniproof.report.fragments.base import (
     place_of_group,
     worst,
 )
-from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, is_settable, math, same
-from omniproof.transcription.ids import base, index
+from omniproof.report.groups import Group, matrix_of
+from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, math, same
 from omniproof.transcription.model import Kind, Reading, Source
 
-_UNALIGNED = re.compile(r"&(?==)")
 _INTEGRAL = re.compile(r"int_(\w+)_from_(\w+)\((\w+)\)")
 _VALUE = re.compile(r"(\w+)\((\w+)\)")
 _PI = re.compile(r"\*?\bpi\b")
@@ -62,38 +60,13 @@ READINGS: Mapping[Reading, str] = {
 }
 
 
-@dataclass(frozen=True)
-class Group:
-    """A claim with its rows: one for most, one per entry for a matrix."""
-
-    base: str
-    rows: tuple[Row, ...]
-
-    @property
-    def is_matrix(self) -> bool:
-        """Whether the rows are entries of something printed as one."""
-        return any(index(row.id) for row in self.rows)
-
-    @property
-    def whole(self) -> str:
-        """The one formula that is printed for all entries; empty where each has its own."""
-        first, *others = {row.printed for row in self.rows}
-        one = not others and len(self.rows) > 1 and is_settable(first)
-        return _UNALIGNED.sub("", first) if one and re.search(r"[\\=]", first) else ""
-
-
-def groups(rows: Iterable[Row]) -> tuple[Group, ...]:
-    """Gather entries under their claim, in the order of the ledger."""
-    found: dict[str, list[Row]] = {}
-    for row in rows:
-        found.setdefault(base(row.id), []).append(row)
-    return tuple(Group(name, tuple(members)) for name, members in found.items())
-
-
 def group_html(group: Group, href: Href, *, addressed: bool, derived: Derived | None = None) -> str:
     """Return the card of a claim; `addressed`: the group's own id is free to be an address."""
     if not group.is_matrix:
-        return "".join(row_html(row, href, derived=derived) for row in group.rows)
+        return "".join(
+            row_html(row, href, addressed=addressed or row.id != group.base, derived=derived)
+            for row in group.rows
+        )
     verdict = worst(group.rows)
     count = sum(row.verdict is verdict for row in group.rows)
     address = f' id="{anchor(group.base)}"' if addressed else ""
@@ -131,29 +104,6 @@ def matrix_html(group: Group) -> str:
         return math(group.whole, display=True)
     matrix = matrix_of(group, _boxed)
     return math(matrix, display=True) if matrix else ""
-
-
-def matrix_of(group: Group, entry: Callable[[Row], str]) -> str:
-    """Return the LaTeX of a matrix from that of its entries; nothing when one has no place."""
-    grid = _grid(group.rows, entry)
-    height, width = (max((place[k] for place in grid), default=0) for k in (0, 1))
-    if not grid or len(grid) != height * width:
-        return ""
-    lines = (" & ".join(grid[i, j] for j in range(1, width + 1)) for i in range(1, height + 1))
-    body = r" \\ ".join(lines)
-    return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
-
-
-def _grid(rows: Iterable[Row], entry: Callable[[Row], str]) -> dict[tuple[int, int], str]:
-    """Return the entries by row and column; empty where one has no place or cannot be set."""
-    grid = {}
-    for row in rows:
-        place, latex = index(row.id), entry(row)
-        numbered = place and all(part.isdigit() for part in place)
-        if not (numbered and is_latex(latex) and is_settable(latex)):
-            return {}
-        grid[int(place[0]), int(place[-1]) if len(place) > 1 else 1] = latex
-    return grid
 
 
 def _boxed(row: Row) -> str:

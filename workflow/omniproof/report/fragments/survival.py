@@ -1,18 +1,12 @@
-"""What survives: the conclusions of a paper, its faults with what rests on them, its formulas."""
+"""What survives: the conclusions of a paper, and its faults with what rests on them."""
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Iterable, Sequence
-from html import escape
 
 from omniproof.audit.ledger import Ledger, Row
-from omniproof.corrected import FUNCTIONS
-from omniproof.report.changes import changes
-from omniproof.report.derived import Derived
-from omniproof.report.fragments.base import Href, badge, link, table, worst
-from omniproof.report.fragments.claims import Group, matrix_of
-from omniproof.report.latexfmt import cell, formula
+from omniproof.report.fragments.base import Href, badge, link, table
+from omniproof.report.latexfmt import cell
 from omniproof.report.survival import (
     JUDGED,
     Fate,
@@ -20,11 +14,9 @@ from omniproof.report.survival import (
     conclusions,
     fate,
     faults,
-    replaced,
     tally,
 )
 from omniproof.transcription.ids import base
-from omniproof.transcription.model import Source
 
 WORDS = {
     Fate.STANDS: "stand as printed",
@@ -35,12 +27,9 @@ WORDS = {
 }
 
 
-def survives_html(ledger: Ledger, href: Href, derived: Derived) -> str:
-    """Return what stands, what falls with which fault, and what to use instead."""
-    return (
-        f"{_sum(ledger)}{_conclusions(ledger, href)}{_faults(faults(ledger), href)}"
-        f"{_formulas(ledger, href, derived)}"
-    )
+def survives_html(ledger: Ledger, href: Href) -> str:
+    """Return what stands, and what falls with which fault."""
+    return f"{_sum(ledger)}{_conclusions(ledger, href)}{_faults(faults(ledger), href)}"
 
 
 def _sum(ledger: Ledger) -> str:
@@ -108,64 +97,3 @@ def _places(rows: Iterable[Row], href: Href) -> str:
     """Return links, the entries of a matrix as one."""
     found = dict.fromkeys(base(row.id) for row in rows)
     return "; ".join(link(name, href) for name in found) or "nothing"
-
-
-def _formulas(ledger: Ledger, href: Href, derived: Derived) -> str:
-    groups = [Group(base(rows[0].id), rows) for rows in replaced(ledger)]
-    head = "<h3>Use instead</h3>"
-    if not groups:
-        return f"{head}<p>Every formula can be used as it is printed.</p>"
-    functions = FUNCTIONS.get(ledger.paper, {})
-    module = f"omniproof.corrected.{ledger.paper.replace('-', '_')}"
-    usage = f"<p>Functions are to be imported from <code>{module}</code>.</p>" if functions else ""
-    items = (_formula(group, functions.get(group.base), href, derived) for group in groups)
-    return f'{head}{usage}<ul class="instead">{"".join(items)}</ul>'
-
-
-def _formula(group: Group, function: object, href: Href, derived: Derived) -> str:
-    latex = corrected_latex(group)
-    text = derived.sympy(group.base if group.is_matrix else group.rows[0].id)
-    place = link(group.base, href)
-    if any(row.source is not Source.CLEAR for row in group.rows):
-        place += ' <span class="quiet">(look at the PDF first)</span>'
-    shown = formula(corrected_latex(group, marked=True)) if latex else "see its entries"
-    called = f"<code>{escape(_signature(function))}</code>" if callable(function) else ""
-    sympy = (
-        f"<details><summary>SymPy</summary><code>{escape(text)}</code></details>" if text else ""
-    )
-    copied = "".join(
-        f' data-{name}="{escape(value)}"'
-        for name, value in (("latex", latex), ("sympy", text))
-        if value
-    )
-    return (
-        f'<li class="v-{worst(group.rows)} copyable" data-name="{escape(group.base)}"{copied}>'
-        f'<div class="place">{place} {called}</div><div class="formula">{shown}</div>{sympy}</li>'
-    )
-
-
-def corrected_latex(group: Group, *, marked: bool = False) -> str:
-    """Return a formula as it should read, a matrix with all its entries.
-
-    `marked`: show what changes in it.
-    """
-    if group.is_matrix:
-        return matrix_of(group, _marked_entry if marked else _right)
-    row = group.rows[0]
-    changed = changes(row.printed, row.correction) if marked and row.correction else None
-    return changed.corrected if changed else _right(row)
-
-
-def _right(row: Row) -> str:
-    return row.correction or row.derived or row.printed
-
-
-def _marked_entry(row: Row) -> str:
-    return rf"\changed{{{_right(row)}}}" if row.verdict.is_fault else _right(row)
-
-
-def _signature(function: object) -> str:
-    assert callable(function)
-    return (
-        f"{getattr(function, '__name__', '')}({', '.join(inspect.signature(function).parameters)})"
-    )
