@@ -35,4 +35,3 @@ def said(formula: str) -> str:
 )  # fmt: skip
 def test_an_equation_needs_no_algebra_system(formula: str, verdict: str) -> None:
     assert said(formula) == verdict
-
