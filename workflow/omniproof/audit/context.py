@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
@@ -39,18 +39,16 @@ from omniproof.transcription.tree import Chain, Name, Node, names
 class Context:
     """One paper under audit; `choices` are the readings of its conventions, once chosen.
 
-    Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim,
-    `derived`, what claims are judged by, under each reading, `domains`, where they are, and
-    `converters`, which know the symbols of each claim.
+    Derived once: `derived`, by what derives it and the reading of its convention, so that claims
+    with one derivation share it; `domains`, where claims are judged, and `converters`, which know
+    the symbols of each claim.
     """
 
     loaded: LoadedPaper
     registry: Registry
     readings: Mapping[str, Read]
     choices: Mapping[str, str] = field(default_factory=dict)
-    known: dict[str, Any] = field(default_factory=dict)
-    lemmas: dict[str, Mapping[str, Any]] = field(default_factory=dict)
-    derived: dict[tuple[str, tuple[str, ...]], Derived] = field(default_factory=dict)
+    derived: dict[tuple[Callable[..., Any], tuple[str, ...]], Any] = field(default_factory=dict)
     domains: dict[str, Domain] = field(default_factory=dict)
     converters: dict[str, Converter] = field(default_factory=dict)
 
@@ -86,17 +84,26 @@ class Context:
         node = read_with(text, self.loaded.paper.notation, self.names)
         return evaluate(node, self.meanings_at(claim, node), text)
 
+    def _once(self, build: Callable[..., Any], *reading: str) -> Any:
+        if (build, reading) not in self.derived:
+            self.derived[build, reading] = build(*reading)
+        return self.derived[build, reading]
+
     def meaning(self, printed: str) -> Any:
         """What a printed symbol stands for, by canonical name; quantities are derived once."""
-        # Every edit that the repair tries asks for these values again.
-        if printed not in self.known:
-            symbol = self.loaded.symbols[printed]
-            self.known[printed] = (
-                self.registry.quantities[symbol.name]()
-                if symbol.role is Role.QUANTITY
-                else self.sympy_symbol(symbol)
-            )
-        return self.known[printed]
+        symbol = self.loaded.symbols[printed]
+        if symbol.role is Role.QUANTITY:
+            return self.quantity(symbol.name)
+        return self.sympy_symbol(symbol)
+
+    def quantity(self, name: str) -> Any:
+        """Derive a quantity; raises `KeyError` for one without derivation."""
+        return self._once(self.registry.quantities[name])
+
+    def lemma(self, claim: str) -> Mapping[str, Any]:
+        """What symbols stand for in one claim only, by their names."""
+        lemma: Mapping[str, Any] = self._once(self.derivation(claim).meanings)
+        return lemma
 
     @staticmethod
     def sympy_symbol(symbol: PrintedSymbol) -> Symbol:
@@ -114,9 +121,8 @@ class Context:
         if derivation.convention:
             stated = self.registry.conventions[derivation.convention].stated
             reading = (self.choices.get(derivation.convention, stated),)
-        if (claim, reading) not in self.derived:
-            self.derived[claim, reading] = derivation.build(*reading)
-        return self.derived[claim, reading]
+        derived: Derived = self._once(derivation.build, *reading)
+        return derived
 
     def derive_by_mechanics(self, claim: str) -> Derived:
         """Run the derivation of an identity, without what only the paper's premises give."""
@@ -130,9 +136,7 @@ class Context:
 
     def meanings_at(self, claim: str, node: Node) -> dict[str, Any]:
         """Meanings of the symbols in a formula; in a lemma, some stand for anything."""
-        if claim not in self.lemmas:
-            self.lemmas[claim] = self.derivation(claim).meanings()
-        own = self.lemmas[claim]
+        own = self.lemma(claim)
         found: dict[str, Any] = {}
         for printed in names(node) & self.loaded.symbols.keys():
             symbol = self.loaded.symbols[printed]
@@ -203,8 +207,7 @@ class Context:
 
     def domain_in_terms(self, claim: str, derived: Any) -> decide.Domain:
         """Return where an equation of a claim is judged, with the signs of all symbols in it."""
-        self.meanings_at(claim, Name(""))
-        own = (getattr(value, "free_symbols", ()) for value in self.lemmas[claim].values())
+        own = (getattr(value, "free_symbols", ()) for value in self.lemma(claim).values())
         return in_terms(self.domain(claim), [*self.variables, *chain(*own), *derived.free_symbols])
 
     def sides(self, claim: str) -> tuple[Node, ...]:
