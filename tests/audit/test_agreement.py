@@ -88,10 +88,10 @@ SLIPS = [
         f"{FILE}:13:62: symbols[f].positive: `positive` belongs to role variable"],
         id="a positive function"),
     pytest.param("asserts: {form: increasing}", "asserts: {form: equivalent}", [
-        f"{FILE}:38:5: claims[sec:1/grows]: a relation of form equivalent needs `latex`"],
+        f"{FILE}:40:5: claims[sec:1/grows]: a relation of form equivalent needs `latex`"],
         id="the form of a condition, and none printed"),
     pytest.param("target: 'eq:1', about: x}", "target: 'eq:1', about: xx}", [
-        f"{FILE}:112:10: claims[xref:sec-2-cites-eq-1]: expected `about` to be a declared symbol, "
+        f"{FILE}:117:10: claims[xref:sec-2-cites-eq-1]: expected `about` to be a declared symbol, "
         "found 'xx'", "    did you mean `x`?"], id="a reference to no symbol"),
 ]  # fmt: skip
 
@@ -127,7 +127,7 @@ def stated(**fields: Any) -> Callable[[Registry], None]:
 
 WRITTEN = [
     pytest.param(derived("eq:11", Symbol("yy", real=True)), [
-        f"{FILE}:31:10: claims[eq:11]: expected a derivation in what the paper prints, found `yy` "
+        f"{FILE}:32:10: claims[eq:11]: expected a derivation in what the paper prints, found `yy` "
         f"(a real number) in {THERE}", "    did you mean `y`?"], id="misspelt"),
     pytest.param(derived("eq:1", sin(2 * Symbol("x", positive=True))), [
         f"{FILE}:10:5: symbols[x].positive: expected a positive number, as in {THERE}, "
@@ -136,7 +136,7 @@ WRITTEN = [
         f"{FILE}:10:5: symbols[x].positive: expected a complex number, as in {THERE}, "
         "found a real number", SAME], id="any complex number"),
     pytest.param(derived("eq:1", sin(2 * Dummy("x", real=True))), [
-        f"{FILE}:21:10: claims[eq:1]: expected a derivation in what the paper prints, found `_x` "
+        f"{FILE}:22:10: claims[eq:1]: expected a derivation in what the paper prints, found `_x` "
         f"(a real number) in {THERE}", "    did you mean `x`?"], id="a symbol of its own"),
     pytest.param(stated(ranges={tiny_paper.x: (0, pi)}), [
         f"{FILE}:10:5: symbols[x].range: expected (0, pi), as the derivations state, found none",

@@ -82,15 +82,20 @@ ROWS = [
     row("sec:4/frame", "verified", "Omega in both places", printed=r"\Omega"),
     row("sec:2/symbol", "verified", "x stands in the formula", printed="x"),
     row("sec:2/other", "inconsistent", "y does not", printed="y", consequence="text"),
-    row("app:A/lever", "inconsistent", "two formulas of three need the lever L",
+    row("app:A/lever", "inconsistent", "three formulas need the lever L",
         printed="its lever", consequence="text"),
     row("sec:2/lever", "inconsistent", "the place that states the lever", printed="lever",
         consequence="text"),
     row("eq:A.1", "verified", "right with the lever L", printed="L x", derived="L x",
         follows="app:A/lever"),
-    row("eq:A.3", "erratum", "right with the stated lever only", printed="x y", derived="L x y",
-        correction="L x y", repair="explained", follows="app:A/lever", consequence="motion",
-        witness="L=47/9; x=-26/9; y=10/7; printed=-4.127; derived=-21.55"),
+    row("eq:A.3", "verified", "right with the stated lever", printed="x y", derived="x y"),
+    row("eq:A.4", "erratum", "right with neither; most formulas need L", printed="L x",
+        derived="L y", correction="L y", repair="explained", consequence="motion",
+        witness="L=47/9; x=-26/9; y=10/7; printed=-15.09; derived=7.460"),
+    row("eq:A.5", "inconsistent", "right with L, while Eq. (18) has none", printed="M = L x^2",
+        derived="x^{2}", correction="M = x^2", repair="explained", follows="app:A/lever",
+        consequence="motion", witness="L=47/9; x=-26/9; printed=43.58; derived=8.346"),
+    row("eq:A.6", "verified", "right with any lever", printed="y + y", derived="2 y"),
     row("tab:2[exact,value]", "verified", "4", printed="4.00", derived="4",
         interval="4.00000; [3.995, 4.005]"),
     row("tab:2[rounded,value]", "verified", "pi", printed="3.14", derived=r"\pi",
@@ -148,10 +153,13 @@ def test_rows(name: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
         ("sec:3/frame", "text", "name of the frame. differs from sec:2/frame."),
         ("sec:4/frame", "text", "name of the frame."),
         ("app:A/lever", "flint", "the appendix takes the lever as stated. stated at sec:2/lever: "
-         "the lever is 1; used at app:A/lever: the lever is L. The printed formulas need the "
-         "latter."),
-        ("sec:2/lever", "flint", "the lever is stated. stated at sec:2/lever: the lever is 1; "
-         "used at app:A/lever: the lever is L. The printed formulas need the latter."),
+         "the lever is 1; used from app:A/lever on: the lever is L. two cures: keep the first, and "
+         "change Eq. (A.1), Eq. (A.2), Eq. (A.4), Eq. (A.5); or give the second a name of its own, "
+         "and change Eq. (A.3)."),
+        ("eq:A.1", "flint+modular+z3", "first. right where the lever is L."),
+        ("eq:A.3", "flint+modular+z3", "third. right where the lever is 1."),
+        ("eq:A.5", "flint+modular+z3", "fifth. right where the lever is L, against Eq. (18)."),
+        ("eq:A.6", "flint+modular+z3", "sixth."),
         ("tab:2[truncated,value]", "flint+mpmath", "numbers. truncated, relative error -0.0029."),
         ("tab:2[neighbour,value]", "flint+mpmath", "numbers. off by one, relative error -0.0037."),
         ("xref:sec-3-cites-eq-1", "text", "eq:1 does not contain $y$."),
@@ -167,11 +175,11 @@ def test_engines_and_notes(name: str, engines: str, note: str, rows: dict[str, R
 def test_rows_stand_in_order_of_place_and_claims_are_counted_without_entries(
     tiny_ledger: Ledger,
 ) -> None:
-    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 46)
+    assert (tiny_ledger.paper, tiny_ledger.claims) == ("tiny-paper", 50)
     assert [row.id for row in tiny_ledger.rows[:9]] == [
         "eq:1", "eq:6[1,1]", "eq:6[1,2]", "eq:6[1,3]", "eq:6[2,1]", "eq:6[2,2]", "eq:6[2,3]",
         "eq:7", "eq:8"]  # fmt: skip
-    assert len(tiny_ledger.rows) == 46 + 5 + 2
+    assert len(tiny_ledger.rows) == 50 + 5 + 2
 
 
 def test_the_same_paper_gives_the_same_bytes(tiny_folder: Path, tiny_ledger: Ledger) -> None:

@@ -13,7 +13,7 @@ from omniproof.audit.ledger import Ledger
 from omniproof.registry import Registry
 from omniproof.transcription.faults import BadInput
 
-HEAD = tiny_paper.PAPER.lstrip().partition("tables:")[0].replace("  - {latex: 'f'", "  # {")
+HEAD = tiny_paper.PAPER.lstrip().partition("tables:")[0].partition("  - {latex: 'f'")[0]
 CLAIMS = r"""claims:
   - {id: 'eq:1', kind: identity, line: 1, says: a part, latex: 'x / 3 L'}
   - {id: 'eq:2', kind: identity, line: 2, says: turned, latex: '\cos(90 + x)'}

@@ -44,6 +44,7 @@ symbols:
   - {latex: 'y', name: y, means: a number}
   - {latex: 'L', name: L, positive: true, means: a length}
   - {latex: 'f', name: f, role: quantity, of: 'x', means: a function}
+  - {latex: 'M', name: M, role: quantity, means: a moment}
 tables:
   - id: tab:2
     file: table-2.csv
@@ -68,6 +69,7 @@ claims:
     says: a model
     latex: '\begin{pmatrix} x \\ y \\ 2 x \end{pmatrix}'
   - {id: 'eq:17', kind: identity, line: 9, says: a side, latex: '\cos x\,L'}
+  - {id: 'eq:18', kind: identity, line: 9, says: a moment, latex: 'M = x^2'}
   - {id: 'sec:1/grows', kind: relation, line: 10, says: it grows, asserts: {form: increasing}}
   - {id: 'sec:1/shrinks', kind: relation, line: 11, says: it shrinks, asserts: {form: decreasing}}
   - {id: 'sec:1/same', kind: relation, line: 12, says: they agree, asserts: {form: equal}}
@@ -142,6 +144,9 @@ claims:
   - {id: 'eq:A.1', kind: identity, line: 61, says: first, latex: 'L x'}
   - {id: 'eq:A.2', kind: identity, line: 62, says: second, latex: 'L y'}
   - {id: 'eq:A.3', kind: identity, line: 63, says: third, latex: 'x y'}
+  - {id: 'eq:A.4', kind: identity, line: 64, says: fourth, latex: 'L x'}
+  - {id: 'eq:A.5', kind: identity, line: 65, says: fifth, latex: 'M = L x^2'}
+  - {id: 'eq:A.6', kind: identity, line: 66, says: sixth, latex: 'y + y'}
   - {id: 'xref:sec-2-cites-eq-1', kind: reference, line: 24, says: x, target: 'eq:1', about: x}
   - {id: 'xref:sec-2-cites-eq-7', kind: reference, line: 25, says: L, target: 'eq:7', about: L}
   - {id: 'xref:sec-3-cites-eq-1', kind: reference, line: 32, says: y, target: 'eq:1', about: y}
@@ -174,6 +179,7 @@ VALUES = {
     "wrong": pi,
     "count": Integer(3),
 }
+LEVERS = {"eq:A.1": x, "eq:A.2": y, "eq:A.3": x * y, "eq:A.4": y, "eq:A.5": x**2}
 READINGS = {
     "xref:sec-3-cites-2": Read(verdict=Verdict.VERIFIED, reason="the title says so"),
     "sec:3/noble": Read(verdict=Verdict.EDITORIAL, reason="misspelt", correction="novel"),
@@ -192,6 +198,7 @@ def registry() -> Registry:
     """Return the derivations of the paper."""
     tiny = Registry("tiny-paper")
     tiny.quantities["f"] = lambda: sin(x)
+    tiny.quantities["M"] = lambda: x**2
     tiny.conventions["app:A/lever"] = Convention(SHORT, (LONG,))
     for claim, value in _identities().items():
         rests_on = ["eq:6[2,3]"] if claim == "eq:11" else []
@@ -199,10 +206,11 @@ def registry() -> Registry:
     for claim, relation in _relations().items():
         rests_on = ["sec:1/shrinks"] if claim == "sec:1/same" else []
         tiny.derives(claim, rests_on=rests_on)(lambda relation=relation: relation)
-    for claim, factor in (("eq:A.1", x), ("eq:A.2", y), ("eq:A.3", x * y)):
+    for claim, factor in LEVERS.items():
         tiny.derives(claim, convention="app:A/lever")(
             lambda lever, factor=factor: factor * (L if lever == LONG else 1)
         )
+    tiny.derives("eq:A.6", convention="app:A/lever")(lambda lever: 2 * y)
     for row, value in VALUES.items():
         tiny.derives(f"tab:2[{row},value]")(lambda value=value: value)
     return tiny
@@ -223,6 +231,7 @@ def _identities() -> dict[str, Any]:
         "eq:13": sin(2 * y),
         "eq:14": sin(x),
         "eq:17": L * cos(x),
+        "eq:18": x**2,
     }
 
 

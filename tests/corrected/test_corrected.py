@@ -84,10 +84,13 @@ def test_inverse_and_volume_of_an_arrangement() -> None:
     assert_allclose(omni_arrangement.image_volume(*ALPHA[::-1]), 8 / abs(determinant))
 
 
-def test_cofactors_and_determinant_with_the_lever_in_the_third_column() -> None:
+def test_determinant_of_the_matrix_with_a_column_of_ones() -> None:
+    assert_allclose(omni_arrangement.determinant(*ALPHA), np.linalg.det(wheel_matrix(ALPHA)))
+
+
+def test_cofactors_with_the_lever_in_the_third_column() -> None:
     matrix = wheel_matrix(ALPHA, L)
     cofactors = np.linalg.inv(matrix).T * np.linalg.det(matrix)
-    assert_allclose(omni_arrangement.determinant(*ALPHA, L), np.linalg.det(matrix))
     assert_allclose(omni_arrangement.cofactor_22(ALPHA[0], ALPHA[2], L), cofactors[1, 1])
     # What the paper calls (1, 3) is where the inverse has it: the cofactor of (3, 1).
     assert_allclose(omni_arrangement.cofactor_13(*ALPHA[:2], L), cofactors[2, 0])

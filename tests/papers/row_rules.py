@@ -10,7 +10,7 @@ from omniproof.transcription.model import Kind, Uncheckable
 DECIDED = {Kind.IDENTITY, Kind.VALUE, Kind.RELATION}
 LONGEST_NOTE = 600
 """Letters of a few sentences: a list of all that would also be true is none."""
-MENDED = {Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.MODEL_GAP}
+MENDED = {Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.MODEL_GAP, Verdict.INCONSISTENT}
 
 
 def complaints(row: Row) -> Iterator[str]:
@@ -43,7 +43,14 @@ def names_its_class(note: str) -> bool:
 
 
 ALLOWED = {
-    Kind.IDENTITY: {"verified", "conditional", "erratum", "model-gap", "uncheckable"},
+    Kind.IDENTITY: {
+        "verified",
+        "conditional",
+        "erratum",
+        "inconsistent",
+        "model-gap",
+        "uncheckable",
+    },
     Kind.VALUE: {"verified", "misrounded", "erratum", "inconsistent", "uncheckable"},
     Kind.RELATION: {"verified", "conditional", "erratum", "model-gap", "uncheckable"},
     Kind.CONSISTENCY: {"verified", "inconsistent"},

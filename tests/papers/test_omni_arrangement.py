@@ -73,7 +73,7 @@ EXPECTED = [
             follows="sec:4/type-z-angles"),
     verdict("fig:5/stretched-along-vx", "verified", "half-widths 4/3, 2, 4",
             follows="sec:4/type-z-angles"),
-    verdict("fig:4/stretched-along-lphi", "conditional", "half-widths 1, 1, 3: from (X) to (Y) "
+    verdict("fig:4/stretched-along-lphi", "erratum", "half-widths 1, 1, 3: from (X) to (Y) "
             "nothing is stretched"),
     verdict("sec:4/type-x-smallest-volume", "verified", "3.08 < 4 < 9.24"),
     verdict("sec:4/type-z-largest-area", "verified", "4.62 < 6 < 13.86"),
@@ -95,8 +95,7 @@ EXPECTED = [
     verdict("eq:A.2/a13", "erratum", "the cofactor of entry (3,1) is c1 - c2; theta_1 is nothing",
             correction=r"\widetilde{a}_{1,3} &= L \cos \alpha_1 - L \cos \alpha_2",
             repair="explained"),
-    verdict("eq:A.3", "erratum", "with a third column L the sum of the minors lacks a factor L",
-            follows="app:A/matrix"),
+    verdict("eq:A.3", "verified", "with a third column of ones it is Eq. (7)", follows=""),
     verdict("eq:A.4/a32-line-2", "verified", "s1 c3 - c1 s3 = sin(a1 - a3)", follows=""),
     verdict("eq:B.2", "conditional", "the triple product is negative for a left-handed triple"),
     verdict("eq:B.2/number", "editorial", "(B,1) is free", correction="(B,1)"),
@@ -106,7 +105,9 @@ EXPECTED = [
     verdict("eq:B.3#2/volume", "conditional", "the triple product has a sign"),
     verdict("eq:B.3#2/determinant", "verified", "expand by the third column"),
     verdict("eq:C.5", "verified", "C = 360 - (a3 - a1)"),
-    verdict("eq:C.6", "verified", "right for a third column L", follows="app:A/matrix"),
+    verdict("eq:C.6", "inconsistent", "right for a third column L, while Eq. (7) has no L",
+            follows="app:A/matrix", repair="explained",
+            correction=r"\det \mathbf{A} = (\sin A + \sin B + \sin C)"),
     verdict("app:C/sine-concave", "conditional", "the second derivative -sin t is positive "
             "beyond 180 degrees", assumption=r"0 < t \leq \pi"),
     verdict("app:C/sine-maximal-at-120", "erratum", "the sine is largest at 90 degrees"),

@@ -61,19 +61,22 @@ EXPECTED = [
     verdict("xref:sec-3-cites-eq-19", "erratum", "(19) is the spin", correction="(18)"),
     verdict("sec:3/ellipses", "verified", "(-sin, cos, -q cos) is a circle, sheared"),
     verdict("sec:3/common-line", "verified", "(-1, 0, 0) and (1, 0, 0)", follows=ELEVATION),
-    verdict("sec:3/axis-chain", "conditional", "all are level at 90 and 270 degrees",
-            assumption=r"0 \leq \phi < \frac{\pi}{2} \text{ or } \frac{\pi}{2} < \phi < "
+    verdict("sec:3/axis-chain", "erratum", "all are level at 90 and 270 degrees",
+            correction=r"|\rho_0| < |\rho_1| < |\rho_2| < |\rho_3| \text{ for } "
+                       r"0 \leq \phi < \frac{\pi}{2} \text{ or } \frac{\pi}{2} < \phi < "
                        r"\frac{3 \pi}{2} \text{ or } \frac{3 \pi}{2} < \phi < 2 \pi"),
-    verdict("sec:3/speed-chain-roller-1", "conditional", "each rim speed has its own zeros"),
-    verdict("sec:3/speed-chain-roller-2", "conditional", "each rim speed has its own zeros"),
+    verdict("sec:3/speed-chain-roller-1", "erratum", "each rim speed has its own zeros"),
+    verdict("sec:3/speed-chain-roller-2", "erratum", "each rim speed has its own zeros"),
     verdict("sec:3/rim-speed-0", "verified", "0.91228", follows=ELEVATION),
     verdict("sec:3/rim-speed-1", "verified", "0.91228 / cos 10 degrees = 0.92635"),
     verdict("sec:3/rim-speed-2", "misrounded", "0.91228 / cos 20 degrees = 0.97082",
             correction="0.97", follows="", consequence="number"),
     verdict("sec:3/rim-speed-3", "erratum", "0.91228 / cos 30 degrees = 1.05341",
             correction="1.05", consequence="number"),
-    verdict("sec:3/slip-chain-roller-1", "conditional", "no slip at 0 and 180 degrees",
-            assumption=r"0 < \phi < \pi \text{ or } \pi < \phi < 2 \pi"),
+    verdict("sec:3/slip-chain-roller-1", "erratum", "no slip at 0 and 180 degrees",
+            correction=r"|S_{i,0}| < |S_{i,1}| < |S_{i,2}| < |S_{i,3}| \text{ for } "
+                       r"0 < \phi < \pi \text{ or } \pi < \phi < 2 \pi"),
+    verdict("sec:3/slip-chain-roller-2", "erratum", "no slip at 0 and 180 degrees"),
     verdict("sec:3/face-to-face", "conditional", "in case 0 nothing slips",
             assumption=r"k \neq 0"),
     verdict("sec:3/slip-maxima", "verified", "sin^2 is greatest at 90 and 270 degrees"),

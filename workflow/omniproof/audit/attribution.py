@@ -17,7 +17,8 @@ def attribute(rows: Sequence[Row], context: Context) -> list[Row]:
     first_places: dict[tuple[str, ...], str] = {}
     finished = []
     for row in rows:
-        follows = _recurrence(row, context, first_places) or _premise(row, context, faults)
+        known = row.follows or _recurrence(row, context, first_places)
+        follows = known or _premise(row, context, faults)
         fields = {"follows": follows, "consequence": _consequence(row, context)}
         finished.append(row.model_copy(update=fields))
     return finished
@@ -52,9 +53,6 @@ def _premise(row: Row, context: Context, faults: Mapping[str, Row]) -> str:
         fault = faults.get(premise)
         if fault and (row.verdict is Verdict.VERIFIED or _is_alike(row, fault)):
             return premise
-    convention = derivation.convention
-    if convention in faults and (row.verdict is Verdict.VERIFIED or _only_here(row, context)):
-        return convention
     return ""
 
 
@@ -67,14 +65,6 @@ def _derivation(row: Row, context: Context) -> Derivation | None:
 def _is_alike(row: Row, fault: Row) -> bool:
     same_decimal = row.kind is not Kind.VALUE or row.printed == fault.printed
     return row.verdict is fault.verdict and same_decimal
-
-
-def _only_here(row: Row, context: Context) -> bool:
-    """Whether a faulty row would be right under the stated reading of its convention."""
-    from omniproof.audit.identities import count_faults
-
-    stated = Context(context.loaded, context.registry, context.readings)
-    return count_faults(context.claims[base(row.id)], stated) == 0
 
 
 _STEPS_OF_ARGUMENTS = {Form.POSITIVE, Form.NEGATIVE, Form.CONCAVE, Form.EQUIVALENT}

@@ -37,7 +37,7 @@ from omniproof.transcription.tree import Chain, Name, Node, names
 
 @dataclass(eq=False)  # one and the same, or another: so it can be the key of a cache
 class Context:
-    """One paper under audit; `choices` are the readings of its conventions, once chosen.
+    """One paper under audit; `choices` are the readings of its conventions, once chosen, by claim.
 
     Derived once: `derived`, by what derives it and the reading of its convention, so that claims
     with one derivation share it; `domains`, where claims are judged, and `converters`, which know
@@ -120,7 +120,7 @@ class Context:
         derivation, reading = self.derivation(claim), tuple[str, ...]()
         if derivation.convention:
             stated = self.registry.conventions[derivation.convention].stated
-            reading = (self.choices.get(derivation.convention, stated),)
+            reading = (self.choices.get(claim, stated),)
         derived: Derived = self._once(derivation.build, *reading)
         return derived
 

@@ -18,6 +18,7 @@ from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sign_cases import equivalent
 from omniproof.audit.voice import Voice
+from omniproof.audit.wavering import judge_alone, judge_convention
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided
 from omniproof.formula.evaluation import evaluate
 from omniproof.registry import Fit, Obligation, Ordered, Relation, Subject
@@ -40,7 +41,7 @@ def judge_claim(claim: Claim, context: Context) -> list[Row]:
         Kind.EDITORIAL: _judge_reading,
     }
     if claim.kind is Kind.IDENTITY:
-        return judge_identity(claim, context)
+        return judge_alone(claim, context)
     return [judges[claim.kind](claim, context)]
 
 
@@ -112,8 +113,8 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
     answer = _judge_form(claim, relation, context)
     row = answered(start(claim, context), answer, context)
     if not isinstance(answer, Refuted):
-        return row
-    row = _mended(row, relation, answer.engines)
+        return _for_all(row, claim)
+    row = _for_all(_mended(row, relation, answer.engines), claim)
     if relation.premises is None or row.verdict is not Verdict.ERRATUM:
         return row
     granted = _judge_form(claim, replace(relation, subject=relation.premises), context)
@@ -138,6 +139,16 @@ def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
     else:
         fields = {"correction": relation.correction, "repair": Repair.MANUAL}
     return row.model_copy(update={"engines": "+".join(engines), **fields})
+
+
+def _for_all(row: Row, claim: Claim) -> Row:
+    """What is said of all values is false where some are left out: it should say for which."""
+    assert claim.asserts is not None
+    if row.verdict is not Verdict.CONDITIONAL or not claim.asserts.for_all:
+        return row
+    correction = rf"{row.printed} \text{{ for }} {row.assumption}"
+    fields = {"correction": correction, "assumption": "", "repair": Repair.MANUAL}
+    return row.model_copy(update={"verdict": Verdict.ERRATUM, **fields})
 
 
 def _undecided(row: Row, reason: str) -> Row:
@@ -193,26 +204,12 @@ def _judge_consistency(claim: Claim, context: Context) -> Row:
     conventions = context.registry.conventions
     convention = next((o for o in (claim.id, *claim.agrees_with) if o in conventions), None)
     if convention:
-        return _judge_convention(claim, context.claims[convention], context)
+        return judge_convention(start(claim, context), convention, context)
     row = start(claim, context)
     against = [other for other in claim.agrees_with if not _agree(claim, other, context)]
     verdict = Verdict.INCONSISTENT if against else Verdict.VERIFIED
     row = row.model_copy(update={"verdict": verdict, "engines": "text"})
     return with_note(row, f"differs from {', '.join(against)}" if against else "")
-
-
-def _judge_convention(claim: Claim, place: Claim, context: Context) -> Row:
-    """Judge the place that uses a convention, or one that states it: both say the same."""
-    convention = context.registry.conventions[place.id]
-    chosen = context.choices[place.id]
-    row = start(claim, context).model_copy(update={"verdict": Verdict.VERIFIED, "engines": "flint"})
-    if chosen == convention.stated:
-        return row
-    return with_note(
-        row.model_copy(update={"verdict": Verdict.INCONSISTENT}),
-        f"stated at {', '.join(place.agrees_with)}: {convention.stated}; "
-        f"used at {place.id}: {chosen}. The printed formulas need the latter",
-    )
 
 
 def _agree(claim: Claim, other: str, context: Context) -> bool:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 from sympy import MatrixBase
@@ -11,12 +10,12 @@ from sympy import MatrixBase
 from omniproof.audit.agreement import disagreements
 from omniproof.audit.attribution import attribute
 from omniproof.audit.context import Context
-from omniproof.audit.identities import count_faults
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Ledger, Row
 from omniproof.audit.other_notation import misread
 from omniproof.audit.own_text import refuse_own_text, same_by_name
 from omniproof.audit.readings import load_readings, unfit
+from omniproof.audit.wavering import choose
 from omniproof.decide.answer import DisagreementError
 from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Registry, load_registry
@@ -55,7 +54,7 @@ def _judged(claim: Claim, context: Context) -> list[Row]:
 def prepare_to_judge(folder: Path) -> Context:
     """Load a paper as `prepare` does, and choose the readings of its conventions."""
     context = prepare(folder)
-    context.choices = {name: _choose(name, context) for name in context.registry.conventions}
+    context.choices = choose(context)
     return context
 
 
@@ -156,23 +155,3 @@ def _shape(value: object) -> str:
     if isinstance(value, MatrixBase):
         return f"a matrix of {value.rows} x {value.cols}"
     return "a single expression"
-
-
-def _choose(name: str, context: Context) -> str:
-    """Choose the reading of a convention under which the fewest printed cells are wrong."""
-    group = [
-        claim
-        for claim in context.loaded.claims
-        if claim.id in context.registry.derivations
-        and context.derivation(claim.id).convention == name
-    ]
-    options = context.registry.conventions[name].options
-    costs = {
-        option: sum(count_faults(claim, _under(context, name, option)) for claim in group)
-        for option in options
-    }
-    return min(options, key=lambda option: costs[option])
-
-
-def _under(context: Context, name: str, option: str) -> Context:
-    return replace(context, choices={**context.choices, name: option})

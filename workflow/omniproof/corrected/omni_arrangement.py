@@ -1,7 +1,7 @@
 """Corrected formulas of the paper on three omni rollers on a circle, for NumPy.
 
-Angles of the wheels in rad, counter-clockwise from x; arrays are broadcast. Appendix A multiplies
-one more column by the body radius L (m) than Eq. (5) does, and its formulas stand as it means them.
+Angles of the wheels in rad, counter-clockwise from x; arrays are broadcast. The matrix of
+Eq. (A.2) has the body radius L (m) in its third column, where that of Eq. (5) has 1.
 """
 
 from __future__ import annotations
@@ -43,9 +43,9 @@ def cofactor_13(alpha_1: ArrayLike, alpha_2: ArrayLike, L: ArrayLike) -> Array:
     return _COFACTOR_13(alpha_1=alpha_1, alpha_2=alpha_2, L=L)
 
 
-def determinant(alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, L: ArrayLike) -> Array:
-    """Return the determinant of A with L in its third column, m: Eq. (A.3)."""
-    return _DETERMINANT(alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, L=L)
+def determinant(alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike) -> Array:
+    """Return det A of Eq. (5), whose third column is 1, as Eq. (7) has it: Eq. (C.6)."""
+    return _DETERMINANT(alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3)
 
 
 def height(columns: Array) -> Array:
@@ -74,7 +74,7 @@ _ISOSCELES = Formula(_PAPER, "eq:12")
 _L_IN_COLUMN = "the unknown is the yaw rate: third column L"
 _COFACTOR_22 = Formula(_PAPER, "eq:A.2/a22", _L_IN_COLUMN)
 _COFACTOR_13 = Formula(_PAPER, "eq:A.2/a13", _L_IN_COLUMN)
-_DETERMINANT = Formula(_PAPER, "eq:A.3", _L_IN_COLUMN)
+_DETERMINANT = Formula(_PAPER, "eq:C.6", "the unknown is L times the yaw rate: third column 1")
 _HEIGHT = Formula(_PAPER, "eq:B.2")
 _PARALLELEPIPED = Formula(_PAPER, "eq:B.3#2/volume")
 
@@ -84,9 +84,9 @@ FUNCTIONS: Functions = {
     "eq:12": image_volume_isosceles,
     "eq:A.2/a22": cofactor_22,
     "eq:A.2/a13": cofactor_13,
-    "eq:A.3": determinant,
     "eq:B.2": height,
     "eq:B.3#2/volume": volume,
+    "eq:C.6": determinant,
 }
 
 _SPEEDS = r"\begin{pmatrix} v_1 \\ v_2 \\ v_3 \end{pmatrix}"

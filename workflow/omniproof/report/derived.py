@@ -13,7 +13,7 @@ from typing import Any
 from sympy import MatrixBase, sstr
 
 import omniproof
-from omniproof.audit.ledger import Ledger
+from omniproof.audit.ledger import Ledger, Row, Verdict
 from omniproof.corrected.formula import derived_form
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.ids import base, index
@@ -32,7 +32,7 @@ class Derived:
             self._registry = load_registry(ledger.paper)
         except ModuleNotFoundError:
             self._registry = Registry(ledger.paper)
-        self._faults = {row.id for row in ledger.rows if row.verdict.is_fault}
+        self._rows = {base(row.id): row for row in ledger.rows}
         self._forms: dict[str, Any] = {}
 
     def sympy(self, claim_id: str) -> str:
@@ -64,10 +64,20 @@ class Derived:
         derivation = self._registry.derivations.get(name)
         if derivation is None or not derivation.convention:
             return ""
-        # The ledger flags a convention when the paper's formulas follow another one than it states.
-        convention = self._registry.conventions[derivation.convention]
-        departs = derivation.convention in self._faults
-        return convention.others[0] if departs else convention.stated
+        convention, row = self._registry.conventions[derivation.convention], self._rows[name]
+        votes = [row] if row.verdict is not Verdict.ERRATUM else self._group(derivation.convention)
+        by_another = [each for each in votes if _is_by_another(each, derivation.convention)]
+        return convention.others[0] if 2 * len(by_another) > len(votes) else convention.stated
+
+    def _group(self, convention: str) -> list[Row]:
+        """Return the rows that depend on a convention; a misprint is held against what most say."""
+        names = (c for c, d in self._registry.derivations.items() if d.convention == convention)
+        return [self._rows[name] for name in names if name in self._rows]
+
+
+def _is_by_another(row: Row, convention: str) -> bool:
+    """Whether a row is right under another reading than the stated one."""
+    return row.verdict is Verdict.VERIFIED and row.follows == convention
 
 
 def _entry(matrix: MatrixBase, place: tuple[str, ...]) -> Any:

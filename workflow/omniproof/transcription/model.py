@@ -104,11 +104,15 @@ class Form(StrEnum):
 
 
 class Asserts(Record):
-    """The checkable form of a relation."""
+    """The checkable form of a relation.
+
+    `for_all`: the sentence says that it holds for all values of its variables.
+    """
 
     form: Form
     member: Text | None = None
     at: tuple[Latex, ...] = ()
+    for_all: bool = False
 
     @model_validator(mode="after")
     def _complete(self) -> Self:

@@ -119,7 +119,7 @@ def widths_along_lphi() -> Relation:
     x, y, z = half_widths(2)
     return Relation(
         (x, y, z),
-        condition=r"\theta < 0: \text{ from Type (Y) to Type (Z) only}",
+        correction=r"\text{stretched along } L\dot\phi \text{ from Type (Y) to Type (Z) only}",
         proof=(
             Obligation(Form.EQUAL, (x, y)),
             Obligation(Form.INCREASING, (y, z)),
