@@ -146,11 +146,11 @@ def first_only(places: tuple[int, ...]) -> Any:
 
 
 FLINT = [
-    pytest.param(balls._FUNCTIONS, "sin", lambda v: v.cos(), "pythagoras", id="cos for sin"),
-    pytest.param(balls._FUNCTIONS, "cos", lambda v: -v.cos(), "half-tangent", id="sign of cos"),
+    pytest.param(balls.FUNCTIONS, "sin", lambda v: v.cos(), "pythagoras", id="cos for sin"),
+    pytest.param(balls.FUNCTIONS, "cos", lambda v: -v.cos(), "half-tangent", id="sign of cos"),
     pytest.param(balls, "_multiply", first_only, "double-cosine", id="factors lost"),
     pytest.param(balls, "_add", first_only, "sine-of-sum", id="terms lost"),
-    pytest.param(balls._FUNCTIONS, "sqrt", lambda v: -v.sqrt(), "ramanujan", id="the other root"),
+    pytest.param(balls.FUNCTIONS, "sqrt", lambda v: -v.sqrt(), "ramanujan", id="the other root"),
     pytest.param(
         zero_test._Probe, "differs", property(lambda probe: probe.printed.overlaps(probe.derived)),
         "chebyshev", id="what may be equal differs",

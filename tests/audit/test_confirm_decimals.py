@@ -73,7 +73,7 @@ FLINT = [
     pytest.param(decimals, "_is_cut_off", lambda *_: False, sqrt(3), "1.7320", id="never cut off"),
     pytest.param(decimals, "_rounded", lambda v, u: 3 * u, sqrt(2), "1.4", id="correction"),
     pytest.param(
-        balls._FUNCTIONS, "sqrt", lambda v: -v.sqrt(), sqrt(2), "1.41", id="the other root"
+        balls.FUNCTIONS, "sqrt", lambda v: -v.sqrt(), sqrt(2), "1.41", id="the other root"
     ),
     pytest.param(decimals, "sign", lambda _: 0, sqrt(2), "1.41", id="all is exact"),
 ]

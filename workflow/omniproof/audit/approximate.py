@@ -25,6 +25,7 @@ from omniproof.audit.balls import compile_balls
 from omniproof.audit.integrals import flattened
 from omniproof.audit.sampling import Sample, sample_points
 from omniproof.decide.balls import rational_ball
+from omniproof.formula.functions import FUNCTIONS as TABLE
 from omniproof.transcription import tree
 
 Values: TypeAlias = NDArray[np.float64]
@@ -205,10 +206,11 @@ def _norm(value: Values) -> Values:
 def _call(node: tree.Call, parts: Sequence[Values]) -> Values:
     if node.function == "det":
         return _determinant(parts[0])
-    if node.function == "atan2":
-        pair = _column(parts[0])
-        return np.arctan2(pair[..., :1, :], pair[..., 1:, :])
-    return _FUNCTIONS[node.function](_number(parts[0]))
+    if TABLE[node.function].arguments == 1:
+        return FUNCTIONS[node.function](_number(parts[0]))
+    column = _column(parts[0])
+    items = (column[..., k : k + 1, :] for k in range(column.shape[-2]))
+    return reduce(FUNCTIONS[node.function], items)
 
 
 def _chain(sides: Sequence[Values]) -> Values:
@@ -221,11 +223,14 @@ def _constant(value: float) -> Values:
     return np.full((POINTS, 1, 1), value)
 
 
-_FUNCTIONS: dict[str, Callable[[Values], Values]] = {
+FUNCTIONS: dict[str, Callable[..., Values]] = {
     "sin": np.sin, "cos": np.cos, "tan": np.tan, "cot": lambda x: 1 / np.tan(x),
     "sec": lambda x: 1 / np.cos(x), "csc": lambda x: 1 / np.sin(x), "arcsin": np.arcsin,
-    "arccos": np.arccos, "arctan": np.arctan, "sqrt": np.sqrt,
+    "arccos": np.arccos, "arctan": np.arctan, "atan2": np.arctan2, "sqrt": np.sqrt,
+    "abs": np.abs, "sign": np.sign, "exp": np.exp, "log": np.log, "sinh": np.sinh,
+    "cosh": np.cosh, "tanh": np.tanh, "max": np.maximum, "min": np.minimum, "power": np.power,
 }  # fmt: skip
+"""Every function of the table."""
 
 _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Values]], Values]] = {
     tree.Number: lambda node, parts: _constant(float(node.text)),

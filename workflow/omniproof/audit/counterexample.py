@@ -26,6 +26,7 @@ from omniproof.audit.sympy_domain import Domain
 from omniproof.decide.answer import Refuted, Witness
 from omniproof.decide.balls import format_ball
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import SYMPY_FUNCTIONS
 
 __all__ = ["counterexample"]
 
@@ -148,7 +149,16 @@ def _integral(node: sp.Integral, values: Mapping[sp.Symbol, Ball]) -> Ball:
     return acb.integral(at, *ends, eval_limit=MOST_EVALUATIONS)
 
 
-_ENTIRE: dict[Any, Callable[[Ball], Ball]] = {
-    sp.sin: lambda x: x.sin(), sp.cos: lambda x: x.cos(), sp.tan: lambda x: x.sin() / x.cos(),
+FUNCTIONS: dict[str, Callable[[Ball], Ball]] = {
+    "sin": lambda x: x.sin(), "cos": lambda x: x.cos(), "tan": lambda x: x.sin() / x.cos(),
+    "cot": lambda x: x.cos() / x.sin(), "sec": lambda x: 1 / x.cos(), "csc": lambda x: 1 / x.sin(),
+    "exp": lambda x: x.exp(), "sinh": lambda x: x.sinh(), "cosh": lambda x: x.cosh(),
+    "tanh": lambda x: x.sinh() / x.cosh(),
 }  # fmt: skip
 """Functions without branches; at a pole their balls are not finite."""
+LACKING = {
+    **dict.fromkeys(("sqrt", "abs"), "a rule of its own says where it is analytic"),
+    **dict.fromkeys(("log", "arcsin", "arccos", "arctan", "atan2", "power"), "it has branches"),
+    **dict.fromkeys(("sign", "max", "min"), "it is analytic nowhere on the complex plane"),
+}
+_ENTIRE = {SYMPY_FUNCTIONS[name]: function for name, function in FUNCTIONS.items()}

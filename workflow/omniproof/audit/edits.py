@@ -13,17 +13,16 @@ from dataclasses import dataclass
 from enum import IntEnum
 from itertools import combinations, pairwise, product
 
+from omniproof.formula.functions import COMMANDS, FUNCTIONS
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import Token, tokenize
 from omniproof.transcription.tree import Span
 
 CONSTANTS = ("1", "2", "3", "4", "6", "8")
 FACTORS = ("2", "3", "4", r"\frac{1}{2}", r"\frac{1}{3}")
-FUNCTIONS = {
-    r"\sin": (r"\cos",),
-    r"\cos": (r"\sin",),
-    r"\tan": (r"\sin", r"\cos", r"\cot"),
-    r"\cot": (r"\tan",),
+NEIGHBOURS = {
+    f"\\{command}": tuple(FUNCTIONS[other].latex for other in FUNCTIONS[function].neighbours)
+    for command, function in COMMANDS.items()
 }
 WRAPPED = ("arctan", "sqrt")
 SIGNS = {"+", "-"}
@@ -155,8 +154,8 @@ class _Editor:
         for place, token in self.free:
             if token.text in SIGNS:
                 yield from self.flip(place, token)
-            elif token.text in FUNCTIONS:
-                for other in FUNCTIONS[token.text]:
+            elif token.text in NEIGHBOURS:
+                for other in NEIGHBOURS[token.text]:
                     yield self.edit(Edit.FUNCTION, token.span, other, f"{token.text} -> {other}")
             elif token.kind == "number":
                 yield from self.constant(token)

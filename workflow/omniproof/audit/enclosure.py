@@ -10,10 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from functools import reduce
 from typing import Any, TypeAlias
 
 import sympy as sp
 from mpmath import iv, libmp
+
+from omniproof.formula.sympy_terms import SYMPY_FUNCTIONS
 
 Interval: TypeAlias = Any
 """An interval of mpmath's context `iv` (mpmath publishes no types)."""
@@ -55,9 +58,9 @@ def _enclosed(node: Any) -> Interval:
     parts = [_enclosed(part) for part in node.args]
     if node.is_Pow:
         return _power(node.exp, *parts)
-    if type(node) not in _FUNCTIONS or not parts:
+    if type(node) not in _RULES or not parts:
         raise NotEnclosedError(str(node))
-    return _FUNCTIONS[type(node)](*parts)
+    return _RULES[type(node)](*parts)
 
 
 def _power(exponent: Any, base: Interval, power: Interval) -> Interval:
@@ -65,7 +68,7 @@ def _power(exponent: Any, base: Interval, power: Interval) -> Interval:
         return base ** int(exponent)
     if exponent.is_Rational and exponent.q == 2:
         return iv.sqrt(base) ** int(exponent.p)
-    return iv.exp(iv.log(base) * power)
+    return FUNCTIONS["power"](base, power)
 
 
 def _sum(*terms: Interval) -> Interval:
@@ -87,12 +90,32 @@ _CONSTANTS: dict[Any, Callable[[], Interval]] = {
     sp.E: lambda: iv.exp(iv.mpf(1)),
 }
 
-_FUNCTIONS: dict[Any, Callable[..., Interval]] = {
-    sp.Add: _sum, sp.Mul: _product, sp.Abs: abs,
-    sp.sin: iv.sin, sp.cos: iv.cos, sp.tan: iv.tan, sp.cot: iv.cot, sp.sec: iv.sec, sp.csc: iv.csc,
-    sp.exp: iv.exp, sp.log: iv.log, sp.atan2: iv.atan2,
+
+def _hyperbolic(sign: int) -> Callable[[Interval], Interval]:
+    return lambda x: (iv.exp(x) + sign * iv.exp(-x)) / 2
+
+
+def _sign(x: Interval) -> Interval:
+    if x.a > 0 or x.b < 0:
+        return iv.mpf(1 if x.a > 0 else -1)
+    raise NotEnclosedError("the sign of what may be 0")
+
+
+FUNCTIONS: dict[str, Callable[..., Interval]] = {
+    "sin": iv.sin, "cos": iv.cos, "tan": iv.tan, "cot": iv.cot, "sec": iv.sec, "csc": iv.csc,
     # mpmath has intervals of the angle of a point only; the inverse functions are such angles.
-    sp.atan: lambda x: iv.atan2(x, iv.mpf(1)),
-    sp.asin: lambda x: iv.atan2(x, iv.sqrt(1 - x**2)),
-    sp.acos: lambda x: iv.atan2(iv.sqrt(1 - x**2), x),
+    "arcsin": lambda x: iv.atan2(x, iv.sqrt(1 - x**2)),
+    "arccos": lambda x: iv.atan2(iv.sqrt(1 - x**2), x),
+    "arctan": lambda x: iv.atan2(x, iv.mpf(1)), "atan2": iv.atan2,
+    "sqrt": iv.sqrt, "abs": abs, "sign": _sign, "exp": iv.exp, "log": iv.log,
+    "sinh": _hyperbolic(-1), "cosh": _hyperbolic(1),
+    "tanh": lambda x: _hyperbolic(-1)(x) / _hyperbolic(1)(x),
+    "max": lambda *x: reduce(lambda a, b: (a + b + abs(a - b)) / 2, x),
+    "min": lambda *x: reduce(lambda a, b: (a + b - abs(a - b)) / 2, x),
+    "power": lambda base, exponent: iv.exp(iv.log(base) * exponent),
+}  # fmt: skip
+"""Every function of the table."""
+_RULES: dict[Any, Callable[..., Interval]] = {
+    sp.Add: _sum, sp.Mul: _product,
+    **{SYMPY_FUNCTIONS[name]: function for name, function in FUNCTIONS.items()},
 }  # fmt: skip

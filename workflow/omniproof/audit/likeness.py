@@ -12,10 +12,10 @@ from fractions import Fraction
 from math import prod
 from typing import TypeAlias
 
+from omniproof.formula.functions import FUNCTIONS
 from omniproof.transcription import tree
 
-ODD = frozenset({"sin", "tan", "cot", "csc", "arcsin", "arctan"})
-EVEN = frozenset({"cos", "sec"})
+PARITY = {row.name: row.parity for row in FUNCTIONS.values() if row.parity}
 
 Form: TypeAlias = tuple[object, ...]
 ONE: Form = ("1",)
@@ -39,9 +39,9 @@ def _scaled(node: tree.Node) -> tuple[Fraction, Form]:
             return join([_scaled(part) for part in parts])
         case tree.Quotient(above, below):
             return _quotient(_scaled(above), _scaled(below))
-        case tree.Call(function, argument) if function in ODD | EVEN:
+        case tree.Call(function, argument) if function in PARITY:
             number, form = _scaled(argument)
-            sign = -1 if number < 0 and function in ODD else 1
+            sign = -1 if number < 0 and PARITY[function] == "odd" else 1
             return Fraction(sign), (function, abs(number), form)
         case _:
             return Fraction(1), _plain(node)

@@ -16,6 +16,7 @@ from typing import Any, NoReturn
 from omniproof.decide.domain import REAL_LINE, Domain, Range
 from omniproof.decide.exact import sign
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import COMMANDS
 from omniproof.formula.term import ZERO, Call, Symbol, Term, number, subtract
 from omniproof.formula.unfold import unfold
 from omniproof.formula.value import kind
@@ -25,7 +26,7 @@ from omniproof.transcription.faults import nearest
 from omniproof.transcription.parses import Parse, parses
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
-from omniproof.transcription.tokens import FUNCTIONS, LatexError
+from omniproof.transcription.tokens import LatexError
 
 LARGEST_BOUND = number(10**300)
 """Samples are drawn between floats, which end at 10^308."""
@@ -56,8 +57,8 @@ class Assumptions:
 
     def _conventions(self) -> Conventions:
         for short, function in self.functions.items():
-            if function not in FUNCTIONS:
-                near = get_close_matches(function, FUNCTIONS, n=1) or ["cos"]
+            if function not in COMMANDS:
+                near = get_close_matches(function, COMMANDS, n=1) or ["cos"]
                 _refuse(f"{short}={function}", f"the function `{function}` is not read",
                         f"did you mean `{short}={near[0]}`?")  # fmt: skip
         return Conventions(self.functions, self.slash)

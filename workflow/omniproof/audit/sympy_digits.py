@@ -14,7 +14,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 import sympy
 from mpmath import mp
-from sympy import Abs, Add, Integral, MatrixBase, Mul, Pow, S, Symbol, sympify
+from sympy import Add, Integral, MatrixBase, Mul, S, Symbol, sympify
 from sympy.core.function import AppliedUndef
 
 from omniproof.audit.sympy_domain import Domain, in_terms
@@ -24,15 +24,13 @@ from omniproof.decide.digits import (
     NotEvaluatedError,
     UndefinedError,
     Value,
-    angle,
     integral,
     number,
-    power,
     precision,
     real,
-    root,
 )
 from omniproof.decide.direct import Place, Side, places, stands
+from omniproof.formula.functions import FUNCTIONS as TABLE
 
 Found: TypeAlias = dict[tuple[Any, int], Value]
 
@@ -114,21 +112,12 @@ def _polynomial(name: str, seed: int) -> tuple[Value, ...]:
         return parts[0] / 64, parts[1] / 8, parts[2]
 
 
-def _to_the(base: Value, exponent: Value) -> Value:
-    if mp.isint(exponent):
-        return power(base, int(exponent))
-    if mp.isint(2 * exponent):
-        return power(real(root(base)), int(2 * exponent))
-    return mp.power(base, exponent)
-
-
 _DERIVED: dict[Any, Callable[..., Value]] = {
-    Add: lambda *parts: mp.fsum(parts), Mul: lambda *parts: mp.fprod(parts), Pow: _to_the,
-    type(sympy.pi): lambda: +mp.pi, Abs: abs, sympy.atan2: angle,
-    sympy.sin: mp.sin, sympy.cos: mp.cos, sympy.atan: mp.atan,
-    **{getattr(sympy, name): FUNCTIONS[name] for name in ("tan", "cot", "sec", "csc")},
-    sympy.asin: FUNCTIONS["arcsin"], sympy.acos: FUNCTIONS["arccos"],
-}  # fmt: skip
+    Add: lambda *parts: mp.fsum(parts),
+    Mul: lambda *parts: mp.fprod(parts),
+    type(sympy.pi): lambda: +mp.pi,
+    **{getattr(sympy, TABLE[name].sympy): function for name, function in FUNCTIONS.items()},
+}
 """What derived expressions are made of."""
 
 

@@ -105,7 +105,7 @@ def enclose(term: Term, point: Mapping[str, Any] | None = None, precision: int =
 def is_enclosed(term: Term) -> bool:
     """Whether balls know all that a term is made of: no integral, and no unknown function."""
     return all(
-        part.function in _FUNCTIONS if isinstance(part, Call) else not isinstance(part, Integral)
+        part.function in FUNCTIONS if isinstance(part, Call) else not isinstance(part, Integral)
         for part in walk(term)
     )
 
@@ -175,7 +175,7 @@ class _Compiler:
         return self.call(term)
 
     def call(self, term: Term) -> Step:
-        function = _FUNCTIONS.get(term.function) if isinstance(term, Call) else None
+        function = FUNCTIONS.get(term.function) if isinstance(term, Call) else None
         if function is None:
             name = term.function if isinstance(term, Call) else type(term).__name__
             raise UnsupportedError(f"{name} is not among the functions that can be enclosed")
@@ -234,7 +234,7 @@ def _arctangent_of_point(ordinate: Ball, abscissa: Ball) -> Ball:
     return arb.atan2(ordinate, abscissa)
 
 
-_FUNCTIONS: dict[str, Callable[..., Ball]] = {
+FUNCTIONS: dict[str, Callable[..., Ball]] = {
     "sin": lambda x: x.sin(),
     "cos": lambda x: x.cos(),
     "tan": lambda x: x.sin() / x.cos(),
@@ -247,11 +247,9 @@ _FUNCTIONS: dict[str, Callable[..., Ball]] = {
     "atan2": _arctangent_of_point,
     "exp": lambda x: x.exp(),
     "log": lambda x: x.log(),
-    "sinh": lambda x: (x.exp() - (-x).exp()) / 2,
-    "cosh": lambda x: (x.exp() + (-x).exp()) / 2,
-    "tanh": lambda x: (x.exp() - (-x).exp()) / (x.exp() + (-x).exp()),
     "sqrt": _root,
     "abs": _abs,
     "sign": _sign,
     "power": lambda base, exponent: (base.log() * exponent).exp(),
 }
+"""Every function of the table that has no definition by others."""

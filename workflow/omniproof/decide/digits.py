@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 
 from mpmath import mp
 
+from omniproof.formula.functions import FUNCTIONS as TABLE
 from omniproof.transcription import tree
 
 Value: TypeAlias = Any
@@ -165,6 +166,26 @@ def angle(ordinate: Value, abscissa: Value) -> Value:
     return mp.atan2(ordinate, abscissa)
 
 
+def _to_the(base: Value, exponent: Value) -> Value:
+    if mp.isint(exponent):
+        return power(base, int(exponent))
+    if mp.isint(2 * exponent):
+        return power(real(root(base)), int(2 * exponent))
+    return mp.power(base, exponent)
+
+
+def _sign(number: Value) -> Value:
+    if 0 < abs(number) <= _noise():
+        raise NotEvaluatedError("the sign of what is not told from 0")
+    return mp.sign(number)
+
+
+def _logarithm(number: Value) -> Value:
+    if number <= _noise():
+        raise UndefinedError("the logarithm of what is not positive")
+    return mp.log(number)
+
+
 def _times(left: Value, right: Value) -> Value:
     product = left * right
     return product[0, 0] if isinstance(product, mp.matrix) and len(product) == 1 else product
@@ -227,9 +248,10 @@ def _matrix(node: tree.MatrixLiteral, parts: Sequence[Value]) -> Value:
 
 
 def _call(node: tree.Call, parts: Sequence[Value]) -> Value:
-    if node.function == "atan2":
-        return angle(*parts[0])
-    return FUNCTIONS[node.function](parts[0])
+    if node.function == "det":
+        return mp.det(parts[0])
+    several = TABLE[node.function].arguments > 1
+    return FUNCTIONS[node.function](*(parts[0] if several else parts))
 
 
 def _component(node: tree.Component, parts: Sequence[Value]) -> Value:
@@ -237,14 +259,15 @@ def _component(node: tree.Component, parts: Sequence[Value]) -> Value:
     return _column(parts[0])[place]
 
 
-FUNCTIONS: dict[str, Callable[[Value], Value]] = {
+FUNCTIONS: dict[str, Callable[..., Value]] = {
     "sin": mp.sin, "cos": mp.cos,
     "tan": lambda x: _over(mp.sin(x), mp.cos(x)), "cot": lambda x: _over(mp.cos(x), mp.sin(x)),
     "sec": lambda x: _over(mp.mpf(1), mp.cos(x)), "csc": lambda x: _over(mp.mpf(1), mp.sin(x)),
     "arcsin": _within_one(mp.asin), "arccos": _within_one(mp.acos), "arctan": mp.atan,
-    "sqrt": root, "det": mp.det,
+    "atan2": angle, "sqrt": root, "abs": abs, "sign": _sign, "exp": mp.exp, "log": _logarithm,
+    "sinh": mp.sinh, "cosh": mp.cosh, "tanh": mp.tanh, "max": max, "min": min, "power": _to_the,
 }  # fmt: skip
-
+"""Every function of the table."""
 
 _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Value]], Value]] = {
     tree.Number: lambda node, parts: mp.mpf(node.text),

@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
-from typing import NamedTuple, TypeAlias, TypeVar
+from typing import NamedTuple, TypeVar
 
+from omniproof.formula.functions import ANGLES, ON_CIRCLE, Point
 from omniproof.formula.monomials import Monomial, expand
 from omniproof.formula.term import (
-    ONE,
     PI,
     Call,
     Pi,
-    Power,
-    Sum,
     Symbol,
     Term,
-    divide,
-    root,
-    subtract,
 )
 
-CIRCULAR = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
-Point: TypeAlias = tuple[Term, Term]
-"""Cosine and sine of an angle."""
 T = TypeVar("T")
 
 
@@ -49,41 +40,12 @@ def is_independent(atom: Monomial) -> bool:
 
 def circular(function: str, one: T, cosine: T, sine: T) -> tuple[T, T]:
     """Return numerator and denominator of a circular function at a point of the circle."""
-    return {
-        "cos": (cosine, one),
-        "sin": (sine, one),
-        "tan": (sine, cosine),
-        "cot": (cosine, sine),
-        "sec": (one, cosine),
-        "csc": (one, sine),
-    }[function]
+    return ON_CIRCLE[function](one, cosine, sine)
 
 
 def inverse_function(atom: Monomial) -> Point | None:
     """Return cosine and sine of an atom that is an inverse function; None for any other atom."""
     match tuple(atom):
-        case ((Call(function=function, arguments=arguments), 1),) if function in _POINTS:
-            return _POINTS[function](*arguments)
+        case ((Call(function=function, arguments=arguments), 1),) if function in ANGLES:
+            return ANGLES[function](*arguments)
     return None
-
-
-def _complement(x: Term) -> Term:
-    return root(subtract(ONE, Power(x, 2)))
-
-
-def _of_tangent(x: Term) -> Point:
-    length = root(Sum((ONE, Power(x, 2))))
-    return divide(ONE, length), divide(x, length)
-
-
-def _of_point(y: Term, x: Term) -> Point:
-    length = root(Sum((Power(x, 2), Power(y, 2))))
-    return divide(x, length), divide(y, length)
-
-
-_POINTS: dict[str, Callable[..., Point]] = {
-    "arcsin": lambda x: (_complement(x), x),
-    "arccos": lambda x: (x, _complement(x)),
-    "arctan": _of_tangent,
-    "atan2": _of_point,
-}

@@ -15,8 +15,9 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from omniproof.formula.angle import CIRCULAR, circular
+from omniproof.formula.angle import circular
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import CIRCULAR, FUNCTIONS, applied
 from omniproof.formula.grid import Grid
 from omniproof.formula.term import (
     ONE,
@@ -34,13 +35,7 @@ from omniproof.formula.term import (
 )
 from omniproof.formula.value import Cases, Comparison, Logic, Value
 
-SYMPY_FUNCTIONS: dict[str, Any] = {
-    "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "cot": sp.cot, "sec": sp.sec, "csc": sp.csc,
-    "arcsin": sp.asin, "arccos": sp.acos, "arctan": sp.atan, "atan2": sp.atan2,
-    "sqrt": sp.sqrt, "abs": sp.Abs, "sign": sp.sign, "exp": sp.exp, "log": sp.log,
-    "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh, "max": sp.Max, "min": sp.Min,
-    "power": sp.Pow,
-}  # fmt: skip
+SYMPY_FUNCTIONS: dict[str, Any] = {n: getattr(sp, row.sympy) for n, row in FUNCTIONS.items()}
 """Functions of terms, and SymPy's."""
 CIRCULAR_FUNCTIONS = tuple(SYMPY_FUNCTIONS[name] for name in sorted(CIRCULAR))
 NAMES: dict[Any, str] = {function: name for name, function in SYMPY_FUNCTIONS.items()}
@@ -111,7 +106,7 @@ def _call(node: Any) -> Term:
     name = NAMES.get(node.func) or (str(node.func) if isinstance(node, AppliedUndef) else "")
     if not name:
         raise UnsupportedError(_refusal(node))
-    return Call(name, tuple(map(_term, node.args)))
+    return applied(name, tuple(map(_term, node.args)))
 
 
 def positive_names(*expressions: Any) -> frozenset[str]:

@@ -11,7 +11,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from fractions import Fraction
 from math import prod
-from typing import Any
+from typing import Any, TypeVar
+
+T = TypeVar("T")
 
 
 class Term:
@@ -208,17 +210,29 @@ def walk(term: Term) -> Iterator[Term]:
     return visit(term)
 
 
+def fold(term: Term, rule: Callable[[Term, tuple[T, ...]], T]) -> T:
+    """Compute something of a term from the inside out, of each different part once.
+
+    `rule` gets a part and what its own parts gave.
+    """
+    found: dict[Term, T] = {}
+    for part in walk(term):
+        found[part] = rule(part, tuple(found[inner] for inner in part.parts))
+    return found[term]
+
+
 def symbols(term: Term) -> set[str]:
     """Return the names of the free symbols."""
-    found: dict[Term, frozenset[str]] = {}
-    for part in walk(term):
-        own = frozenset([part.name]) if isinstance(part, Symbol) else frozenset()
-        inner = frozenset().union(own, *(found[each] for each in part.parts))
+
+    def rule(part: Term, inside: tuple[frozenset[str], ...]) -> frozenset[str]:
+        if isinstance(part, Symbol):
+            return frozenset([part.name])
         if isinstance(part, Integral):
-            ends = found[part.lower] | found[part.upper]
-            inner = ends | (found[part.integrand] - {part.variable.name})
-        found[part] = inner
-    return set(found[term])
+            inside = (inside[0] - {part.variable.name}, *inside[1:])
+        return frozenset[str]().union(*inside)
+
+    found: frozenset[str] = fold(term, rule)
+    return set(found)
 
 
 def rebuild(term: Term, change: Callable[[Term], Term | None]) -> Term:

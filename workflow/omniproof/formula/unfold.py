@@ -16,6 +16,7 @@ from types import FunctionType
 from typing import Any, NoReturn
 
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import FUNCTIONS, applied
 from omniproof.formula.grid import LARGEST_DETERMINANT, Grid, ShapeError, cross, inner
 from omniproof.formula.monomials import is_plainly_zero
 from omniproof.formula.term import (
@@ -268,11 +269,12 @@ def _transpose(scope: _Scope, node: tree.Transpose) -> Grid:
 def _call(scope: _Scope, node: tree.Call) -> Term:
     if node.function == "det":
         return _determinant(scope, node, scope.square(node.argument))
-    if node.function != "atan2":
-        return Call(node.function, (scope.number(node.argument),))
-    if not isinstance(node.argument, tree.Tuple) or len(node.argument.items) != 2:
-        scope.refuse(node, "expected two arguments of `atan2`")
-    return Call("atan2", tuple(scope.number(item) for item in node.argument.items))
+    if FUNCTIONS[node.function].arguments == 1:
+        return applied(node.function, (scope.number(node.argument),))
+    items = node.argument.items if isinstance(node.argument, tree.Tuple) else ()
+    if len(items) < 2 or (len(items) > 2 and node.function == "atan2"):
+        scope.refuse(node, f"expected two arguments of `{node.function}`")
+    return applied(node.function, tuple(map(scope.number, items)))
 
 
 def _integral(scope: _Scope, node: tree.Integral) -> Term:

@@ -10,24 +10,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from omniproof.formula.functions import FUNCTIONS
 from omniproof.formula.term import (
-    MINUS_ONE,
-    ONE,
     ZERO,
     Call,
     Integral,
     Number,
     Power,
     Product,
-    Sum,
     Term,
-    subtract,
     symbols,
 )
 from omniproof.formula.value import Comparison
-
-POLES = {"tan": "cos", "sec": "cos", "cot": "sin", "csc": "sin"}
-"""What must not vanish where a function is defined."""
 
 
 def requirements(*terms: Term) -> tuple[Comparison, ...]:
@@ -41,9 +35,7 @@ def requirements(*terms: Term) -> tuple[Comparison, ...]:
 
 def radicands(*terms: Term) -> tuple[Term, ...]:
     """Return what must not be negative: radicands, and 1 - x and 1 + x for arguments of arcs."""
-    found = (each for each in requirements(*terms) if each.operator != "\\neq")
-    ends = ((c.left, c.right) if c.operator == "\\geq" else (c.right, c.left) for c in found)
-    return tuple(low if high == ZERO else subtract(low, high) for low, high in ends)
+    return tuple(each.left for each in requirements(*terms) if each.operator != "\\neq")
 
 
 def _unbound(term: Term) -> Iterator[Term]:
@@ -63,15 +55,8 @@ def _needs(term: Term) -> Iterator[Comparison]:
     match term:
         case Power(base=base, exponent=exponent) if exponent < 0:
             yield from _differ_from_0(base)
-        case Call(function="sqrt", arguments=(radicand,)):
-            yield Comparison(radicand, "\\geq", ZERO)
-        case Call(function="arcsin" | "arccos", arguments=(argument,)):
-            yield Comparison(argument, "\\leq", ONE)
-            yield Comparison(argument, "\\geq", MINUS_ONE)
-        case Call(function="atan2", arguments=(ordinate, abscissa)):
-            yield Comparison(Sum((Power(ordinate, 2), Power(abscissa, 2))), "\\neq", ZERO)
-        case Call(function=function, arguments=arguments) if function in POLES:
-            yield Comparison(Call(POLES[function], arguments), "\\neq", ZERO)
+        case Call(function=function, arguments=arguments) if function in FUNCTIONS:
+            yield from FUNCTIONS[function].domain(*arguments)
 
 
 def _differ_from_0(term: Term) -> Iterator[Comparison]:

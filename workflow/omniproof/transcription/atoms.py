@@ -12,9 +12,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import replace
 
+from omniproof.formula.functions import COMMANDS, FUNCTIONS, INVERSES, WORDS
 from omniproof.transcription.conventions import Names, Writing
 from omniproof.transcription.enclosed import EnclosedReader
-from omniproof.transcription.tokens import FUNCTIONS, MAX_DEPTH, LatexError, Token
+from omniproof.transcription.tokens import MAX_DEPTH, LatexError, Token
 from omniproof.transcription.tree import (
     Applied,
     Call,
@@ -34,16 +35,16 @@ from omniproof.transcription.tree import (
     children,
 )
 
-INVERSES = {"sin": "arcsin", "cos": "arccos", "tan": "arctan"}
 PLAIN = (Name, Number, Degrees, Pi, Applied)
 PARTS = (Negative, Quotient, Power, Product)
 SPELLED = {
-    **{word: f"write `\\{word}` for the function" for word in FUNCTIONS},
+    **{word: f"write `\\{word}` for the function" for word in COMMANDS},
     "sqrt": r"write `\sqrt{…}` for the root",
     "atan2": r"write `\operatorname{atan2}(y, x)` for the function",
+    **{word: rf"write `\operatorname{{{word}}}(x)` for the function" for word in ("sgn", "sign")},
     **{f"a{word}": rf"write `\arc{word}` for the function" for word in INVERSES},
     **dict.fromkeys(
-        ("log", "ln", "exp", "max", "min", "mod", "det", "arg", "sgn", "sign", "rank", "diag"),
+        ("log", "mod", "det", "arg", "rank", "diag"),
         "as a function it is not read; as a product, put blanks between the letters",
     ),
 }  # fmt: skip
@@ -88,7 +89,7 @@ class AtomReader(EnclosedReader, ABC):
         if token.kind == "number":
             node: Node = self.number()
         elif token.kind == "function":
-            node = self.function(self.take().text[1:], start)
+            node = self.function(COMMANDS[self.take().text[1:]], start)
         elif token.kind == "begin":
             node = self.cases() if token.text == "cases" else self.matrix()
         elif self.at_symbol():
@@ -133,9 +134,9 @@ class AtomReader(EnclosedReader, ABC):
             self.place += 1
             return Call(self.shorthands[token.text], self.expression(), span=self.since(start))
         self.refuse_spelled_function(start)
-        if token.kind == "font" and (word := self.word()) in FUNCTIONS_IN_WORDS:
+        if token.kind == "font" and (word := self.word()) in WORDS:
             self.place += len(word) + 3
-            return self.function(word, start)
+            return self.function(WORDS[word], start)
         name = self.symbol()
         span = self.since(start)
         if self.alone and self.peek().kind == "number" and self.since(start)[1] == self.start:
@@ -266,12 +267,12 @@ class AtomReader(EnclosedReader, ABC):
     def operator(self, start: int) -> Node:
         r"""operator = "\operatorname" "{" function "}" argument."""
         word = self.word()
-        if word not in FUNCTIONS_IN_WORDS:
+        if word not in WORDS:
             self.place += 1
-            cure = f"write one of {', '.join(sorted(FUNCTIONS_IN_WORDS))}"
+            cure = f"write one of {', '.join(sorted(WORDS))}"
             self.expected("a function that is read", cure)
         self.place += len(word) + 3
-        return self.function(word, start)
+        return self.function(WORDS[word], start)
 
     def function(self, name: str, start: int) -> Node:
         r"""function = "\sin" ["^" whole number] argument; the power -1 is the inverse function."""
@@ -281,7 +282,8 @@ class AtomReader(EnclosedReader, ABC):
                 self.refuse(f"no inverse of `{name}` is read", start, "write it by `\\arctan`")
             name, exponent = INVERSES[name], 1
         self.called = start
-        call = Call(name, self.argument(name), span=self.since(start))
+        argument = self.argument(FUNCTIONS[name].latex.removeprefix("\\"))
+        call = Call(name, argument, span=self.since(start))
         return call if exponent == 1 else Power(call, exponent, span=call.span)
 
     def exponent(self) -> int:
@@ -295,9 +297,6 @@ class AtomReader(EnclosedReader, ABC):
     @abstractmethod
     def argument(self, function: str) -> Node:
         """Read the argument of a function."""
-
-
-FUNCTIONS_IN_WORDS = FUNCTIONS | {"atan2"}
 
 
 def _pi(node: Name) -> Name | Pi:

@@ -15,6 +15,7 @@ from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from omniproof.formula.functions import COMMANDS
 from omniproof.transcription.conventions import Names
 from omniproof.transcription.faults import BadInput, Fault, nearest, shorten
 from omniproof.transcription.ids import base, whole
@@ -24,7 +25,7 @@ from omniproof.transcription.paperfile import Document, Path_, Tree
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tablefile import Cell, load_table, unit_faults
-from omniproof.transcription.tokens import FUNCTIONS, LatexError
+from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Comparison, Logic, Node, Tuple, names, walk
 
 LISTS = frozenset({"latex", "agrees_with", "at", "assumes"})
@@ -132,10 +133,10 @@ class Check:
         """Shorthands are one letter for a function that is read."""
         for short, function in self.notation.functions.items():
             path = ("notation", "functions", short)
-            if function not in FUNCTIONS:
-                known = ", ".join(sorted(FUNCTIONS))
+            if function not in COMMANDS:
+                known = ", ".join(sorted(COMMANDS))
                 message = f"expected one of {known}, found `{function[:20]}`"
-                self.fault(path, message, nearest(function, FUNCTIONS))
+                self.fault(path, message, nearest(function, COMMANDS))
             if len(short) != 1 or not short.isalpha():
                 self.fault(path, f"expected one letter for a function, found `{short[:20]}`")
 

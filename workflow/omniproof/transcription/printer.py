@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from omniproof.formula.functions import FUNCTIONS
 from omniproof.transcription import tree
 
 STATEMENT, SUM, NEGATIVE, PRODUCT, POWER, ATOM = range(6)
@@ -20,7 +21,6 @@ STRENGTHS: dict[type[tree.Node], int] = {
     tree.Dot: PRODUCT, tree.Cross: PRODUCT, tree.Integral: PRODUCT, tree.Power: POWER,
     tree.Degrees: POWER, tree.Transpose: POWER,
 }  # fmt: skip
-FUNCTIONS = {"sqrt": "\\sqrt", "atan2": "\\operatorname{atan2}", "det": "\\det"}
 
 
 def latex(node: tree.Node) -> str:
@@ -60,7 +60,7 @@ def _power(node: tree.Power) -> str:
 
 
 def _call(node: tree.Call) -> str:
-    name = FUNCTIONS.get(node.function, f"\\{node.function}")
+    name = "\\det" if node.function == "det" else FUNCTIONS[node.function].latex
     if node.function == "sqrt":
         return f"{name}{{{latex(node.argument)}}}"
     argument = latex(node.argument)

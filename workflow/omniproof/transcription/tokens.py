@@ -13,6 +13,7 @@ from difflib import get_close_matches
 from functools import lru_cache
 from typing import NamedTuple
 
+from omniproof.formula.functions import COMMANDS
 from omniproof.transcription.tree import Span
 from omniproof.visible import hidden
 
@@ -71,7 +72,6 @@ GREEK = _words(
 )
 ACCENTS = _words("hat bar tilde widetilde widehat dot ddot overline vec overrightarrow underline")
 FONTS = _words("mathbf boldsymbol bm mathrm mathbb mathcal mathit mathsf mathfrak")
-FUNCTIONS = _words("sin cos tan cot sec csc arcsin arccos arctan")
 OTHERS = _words("frac binom sqrt int det operatorname circ prime top")
 SIGNS = _words("times cdot leq geq neq langle rangle mid Leftrightarrow land lor")
 
@@ -79,7 +79,7 @@ KINDS = {
     **dict.fromkeys(GREEK, "symbol"),
     **dict.fromkeys(ACCENTS, "accent"),
     **dict.fromkeys(FONTS, "font"),
-    **dict.fromkeys(FUNCTIONS, "function"),
+    **dict.fromkeys(COMMANDS, "function"),
     **dict.fromkeys(OTHERS, "command"),
     **dict.fromkeys(SIGNS, "sign"),
     "angle": "angle",
@@ -110,6 +110,7 @@ NO_DERIVATIVES = "derivatives are not read: write out what they are"
 UNREAD = {
     "partial": NO_DERIVATIVES,
     "differential": NO_DERIVATIVES,
+    "log": "write `\\ln` for the natural logarithm; no other is read",
     "sum": "sums over an index are not read: write the terms out",
     "pm": "write both signs as claims of their own",
     "mp": "write both signs as claims of their own",

@@ -6,10 +6,11 @@ stay, each with its place in the source: messages can point at them, and repairs
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, fields
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, TypeVar
 
+T = TypeVar("T")
 Span: TypeAlias = tuple[int, int]
 """Offsets of a node in its source text, as in `source[start:end]`."""
 
@@ -272,6 +273,14 @@ def walk(node: Node) -> Iterator[Node]:
     yield node
     for child in children(node):
         yield from walk(child)
+
+
+def fold(node: Node, rule: Callable[[Node, tuple[T, ...]], T]) -> T:
+    """Compute something of a tree from the inside out: `rule` gets a node and what its parts gave.
+
+    Parts are those of `children`, in that order.
+    """
+    return rule(node, tuple(fold(child, rule) for child in children(node)))
 
 
 def names(node: Node) -> set[str]:

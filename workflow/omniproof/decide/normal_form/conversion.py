@@ -13,8 +13,9 @@ from omniproof.decide.normal_form.constant_field import ConstantField, generator
 from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial, QuotientRing
 from omniproof.decide.normal_form.separation import Constants
 from omniproof.decide.normal_form.survey import SIGNED, Survey
-from omniproof.formula.angle import CIRCULAR, circular
+from omniproof.formula.angle import circular
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.term import Call, Number, Power, Product, Sum, Term, rational, symbols
 
 

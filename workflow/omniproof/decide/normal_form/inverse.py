@@ -1,16 +1,18 @@
 """Functions of their own inverse, written without it.
 
 The square of sqrt(u) is u, the root of u^2 is |u|, and cos(a + k arccos u) is a polynomial in
-cos a, sin a, u and sqrt(1 - u^2). Each is the same wherever the inverse function is defined, so
-that nothing is lost but where that is, which the print tells.
+cos a, sin a, u and sqrt(1 - u^2). The exponential of a sum is a product, and that of log u is u.
+Each is the same wherever the inverse function is defined, so that nothing is lost but where that
+is, which the print tells.
 """
 
 from __future__ import annotations
 
 from fractions import Fraction
 
-from omniproof.formula.angle import CIRCULAR, Point, circular, inverse_function
+from omniproof.formula.angle import circular, inverse_function
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import CIRCULAR, Point
 from omniproof.formula.monomials import Monomial, expand
 from omniproof.formula.term import (
     ONE,
@@ -48,9 +50,34 @@ def without_inverse_functions(term: Term) -> Term:
             case Call(function=function, arguments=(argument,)) if function in CIRCULAR:
                 point = _point(without_inverse_functions(argument))
                 return None if point is None else divide(*circular(function, ONE, *point))
+            case Call(function="log", arguments=(Call(function="exp", arguments=(inside,)),)):
+                return without_inverse_functions(inside)
+            case Call(function="exp", arguments=(argument,)):
+                return _exponential(without_inverse_functions(argument))
         return None
 
     return rebuild(term, change)
+
+
+def _exponential(exponent: Term) -> Term | None:
+    """Write exp(3x/2 + log u) as a power of exp(x/2) times u."""
+    try:
+        multiples = expand(exponent)
+    except UnsupportedError:
+        return None
+    factors = [
+        Power(_exponential_of(atom, factor.denominator), factor.numerator)
+        for atom, factor in multiples.items()
+    ]
+    return multiply(*factors) if factors else ONE
+
+
+def _exponential_of(atom: Monomial, part: int) -> Term:
+    match tuple(atom):
+        case ((Call(function="log", arguments=(inside,)), 1),) if part == 1:
+            return inside
+    powers = sorted((Power(base, count) for base, count in atom), key=repr)
+    return Call("exp", (Product((Number(Fraction(1, part)), *powers)),))
 
 
 def _point(angle: Term) -> Point | None:

@@ -14,8 +14,9 @@ from math import lcm
 
 from omniproof.decide.normal_form.angles import read_angle
 from omniproof.decide.normal_form.constant_field import field_order, square_free_part
-from omniproof.formula.angle import CIRCULAR, Angle, is_independent
+from omniproof.formula.angle import Angle, is_independent
 from omniproof.formula.errors import WorkLimitError
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import (
     Call,
@@ -34,6 +35,11 @@ from omniproof.formula.term import (
 MOST_NODES = 20_000
 SIGNED = frozenset({"sqrt", "abs", "sign"})
 """Functions of which squares are known, and signs are to be found out."""
+LACKING = {
+    "log": "a symbol of its own, but for the logarithm of an exponential",
+    "power": "a symbol of its own: a power of another exponent is another one",
+}
+"""Why functions of the table have no algebra here."""
 
 
 @dataclass

@@ -7,7 +7,7 @@ from functools import reduce
 from typing import NamedTuple
 
 from omniproof.decide.prime_fields.parts import Parts
-from omniproof.formula.angle import CIRCULAR
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.term import Call, Number, Power, Product, Sum, Term
 
 

@@ -14,8 +14,9 @@ from fractions import Fraction
 from math import lcm
 
 from omniproof.decide.prime_fields.field import prime_factors
-from omniproof.formula.angle import CIRCULAR, Angle, angle_of, inverse_function, is_independent
+from omniproof.formula.angle import Angle, angle_of, inverse_function, is_independent
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import (
     PI,
@@ -34,6 +35,9 @@ from omniproof.formula.term import (
 
 NONNEGATIVE = frozenset({"sqrt", "abs"})
 """Functions of which a field knows the square, and no sign."""
+SIGNED = NONNEGATIVE | {"sign"}
+LACKING = dict.fromkeys(("exp", "log", "power"), "no function of a prime field: a letter")
+"""Why functions of the table have no value here."""
 LARGEST_ORDER, LARGEST_RADICAND, LARGEST_PRIME = 10**6, 10**9, 1_000
 
 

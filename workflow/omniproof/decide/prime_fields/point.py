@@ -11,7 +11,8 @@ from typing import Any
 
 from omniproof.decide.prime_fields.field import PrimeField, prime_field
 from omniproof.decide.prime_fields.parts import Parts, radicand_primes
-from omniproof.formula.angle import CIRCULAR, circular
+from omniproof.formula.angle import circular
+from omniproof.formula.functions import CIRCULAR
 from omniproof.formula.monomials import Monomial
 from omniproof.formula.term import Call, Number, Power, Product, Sum, Symbol, Term, rational
 
