@@ -311,8 +311,9 @@ THEOREMS = (
         r"On $(v_x, v_y, \rho\,\omega)$ the law of the rolling ball is isotropic at "
         r"$\tan\phi = 1/\sqrt2$, that is, $\phi = 35.26°$, whatever $L$ and $\rho$: there the "
         r"three axes about which the wheels turn the ball are perpendicular, and the determinant "
-        r"is greatest. The printed law is isotropic at $\sin\phi = \rho/(\sqrt2 L)$, which is 45° "
-        r"for a thin wall, and its determinant is greatest at $\phi = 90°$, the angle at which "
+        r"is greatest. The printed law is isotropic at $\sin\phi = \rho/(\sqrt2 L)$ if "
+        r"$L \ge \rho/\sqrt2$, which is 45° for a thin wall; its determinant is greatest at "
+        r"$\phi = 90°$, the angle at which "
         r"the wheels cannot move the ball.",
         PAPER,
         (

@@ -243,7 +243,9 @@ THEOREMS = (
         "Regular arrangements are isotropic",
         r"For $N = 3, \dots, 8$ wheels at equal distances, "
         r"$\mathbf{A}^T\mathbf{A} = \mathrm{diag}(N/2, N/2, N)$, whatever the position of the "
-        r"first wheel: all directions of translation are equal.",
+        r"first wheel: all directions of translation are equal, rotation does not mix with them, "
+        r"and the least-squares twist of wheel speeds $\mathbf{v}$ is "
+        r"$\mathrm{diag}(2/N, 2/N, 1/N)\,\mathbf{A}^T\mathbf{v}$.",
         PAPER,
         (Step("Sums of products of the columns, for each number of wheels.", _isotropic),),
     ),

@@ -310,7 +310,8 @@ THEOREMS = (
         "thm:spread-and-mean",
         "Speed is the spread of the wheel speeds, rotation their mean",
         r"For the equilateral arrangement, $\|V\|$ is $\sqrt{2}$ times the standard deviation of "
-        r"$a, b, c$, and $L\omega$ is their mean. So the radius of the circle is "
+        r"$a, b, c$ (the root of the mean squared deviation, with the divisor 3), and $L\omega$ is "
+        r"their mean. So the radius of the circle is "
         r"$\sqrt{2}\,L$ times the standard deviation over the absolute mean, and the motion "
         r"is straight exactly when the mean is 0.",
         PAPER,
@@ -351,7 +352,7 @@ THEOREMS = (
     ),
     Theorem(
         "thm:printed-circles",
-        "Both circles are arcs of a quarter turn or a little more",
+        "Both circles are arcs of about a quarter turn",
         r"With the rates of Table 3 and $r = 0.023$ m both runs start exactly at 60°. In 3 s the "
         r"robot turns by 108.5° to 108.7° on a circle of radius 0.079 m if $L = 0.086$ m, and by "
         r"86.4° to 86.6° on one of 0.099 m if $L = 0.108$ m, counter-clockwise and clockwise.",

@@ -197,7 +197,7 @@ def _certificate() -> Sequence[Obligation]:
 
 
 def _friction_suffices() -> Sequence[Obligation]:
-    below = {ELEVATION: (Integer(0), STICKS_BELOW)}
+    below = {ELEVATION: (-STICKS_BELOW, STICKS_BELOW)}
     return [
         equal(3 * sin(STICKS_BELOW) ** 2, Integer(1)),
         Obligation(Form.POSITIVE, Family(1 - 3 * sin(ELEVATION) ** 2, below)),
@@ -338,7 +338,7 @@ THEOREMS = (
         "The three-roller simulation under dry friction",
         r"For speeds that add up to zero, those of $\mathbf{V}$ say, and $\psi = 0°$, the steady "
         r"spin under dry friction with equal loads is $\boldsymbol\omega = -\frac1r(V_x, V_y, "
-        r"\tan\theta\,\mathbf{V}\cdot\mathbf{h}_m)$, for every elevation $\theta < 35.26°$: with "
+        r"\tan\theta\,\mathbf{V}\cdot\mathbf{h}_m)$, for every elevation $|\theta| < 35.26°$: with "
         r"the level unit vectors $\mathbf{h}_i$ towards the contacts, roller $m$ is the one with "
         r"the middle value of $\mathbf{V}\cdot\mathbf{h}_i$. It sticks, and the others slip along "
         r"$X_i$ by $\sin\theta\,\mathbf{V}\cdot(\mathbf{h}_i - \mathbf{h}_m)$. Seen from above, "
@@ -350,11 +350,11 @@ THEOREMS = (
             Step("Slips at all three rollers, whichever sticks.", _dry_slips),
             Step(
                 r"Unit forces against the slips of the outer two, along $X_i$, are balanced by a "
-                r"force of size $\sqrt3\sin\theta$ along $Y_m$ at the third, for every order of "
+                r"force of size $\sqrt3|\sin\theta|$ along $Y_m$ at the third, for every order of "
                 r"the rollers. That proves a minimum of the sum of slips, which is convex.",
                 _certificate,
             ),
-            Step(r"Friction can hold it: $\sqrt3\sin\theta < 1$.", _friction_suffices),
+            Step(r"Friction can hold it: $\sqrt3|\sin\theta| < 1$.", _friction_suffices),
             Step(
                 r"No other spin will do: $(\mathbf{p}_m\times\mathbf{p}_i)\cdot Y_i = "
                 r"\pm\frac{\sqrt3}{2}\cos\theta$, so that the outer rollers would no longer slip "

@@ -139,8 +139,9 @@ THEOREMS = (
         r"In all four patterns, and at every elevation $\beta$ short of the pole, three rim speeds "
         r"give $\omega_z = 0$, whatever they are. Equal speeds $\nu$ give no spin at all: the "
         r"sphere stands still and all three rollers slip at $|\nu|$. The inputs of the paper leave "
-        r"these out, for they add up to zero. With them the slip moves from roller to roller, and "
-        r"the sum of the squares stays: it is $\frac{3\sin^2\beta}{2(1 + \sin^2\beta)}$ (m/s)² "
+        r"these out, for they add up to zero. With those inputs the slip moves from roller to "
+        r"roller, and the sum of the squares stays: it is "
+        r"$\frac{3\sin^2\beta}{2(1 + \sin^2\beta)}$ (m/s)² "
         r"for all $\varphi$.",
         ("three-roller-sphere",),
         (
