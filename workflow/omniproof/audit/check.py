@@ -1,8 +1,8 @@
 r"""One statement, judged: what `omniproof check` answers.
 
-Nothing here knows of a paper, a registry or pydantic: a formula is judged in the time that SymPy
-takes to be imported; what only some formulas need is imported when it is needed. The text is read
-by our own reader and never evaluated as code.
+Nothing here knows of a paper, a registry or pydantic, and an equation needs no SymPy: what only
+some formulas need is imported when it is needed. The text is read by our own reader and never
+evaluated as code.
 """
 
 from __future__ import annotations
