@@ -121,8 +121,8 @@ TWIST = (
 SHORT_TWIST = TWIST.replace(r" \\ L\dot{\phi}", "")
 NEW = "  - id: eq:99\n    kind: identity\n    line: 103\n    says: new\n    latex: 'L'\n"
 KEYS = (
-    "about, agrees_with, asserts, assumes, decided_by, glyphs, id, kind, latex, line, lost, "
-    "printed, quote, reading, says, source, target, uncheckable, unit"
+    "about, agrees_with, argument, asserts, assumes, decided_by, glyphs, id, kind, latex, line, "
+    "lost, printed, quote, reading, says, source, target, uncheckable, unit"
 )
 DERIVATIONS = "papers/omni_arrangement/derivations.py"
 CODE = "__import__(''os'').system(''touch marker'')"

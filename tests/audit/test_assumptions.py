@@ -230,8 +230,9 @@ def test_a_claim_is_judged_where_it_is_stated(
         "eq:5": ("conditional", r"b \geq 0"),
         "sec:1/chain": ("verified", ""),
     }
-    assert "a=" in rows["eq:5"].witness
-    assert "a=-" not in rows["eq:5"].witness
+    witness = rows["eq:5"].witness
+    assert witness is not None
+    assert float(Fraction(witness.point["a"])) > 0
 
 
 def test_a_contradiction_is_bad_input(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

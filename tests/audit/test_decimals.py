@@ -78,7 +78,7 @@ def test_relative_errors(value, printed, error):
 def test_the_finding_shows_value_and_interval():
     finding = classify(16 * sqrt(3) / 9, "3.08")
     assert finding.interval == (Fraction("3.075"), Fraction("3.085"))
-    assert finding.interval_text == "3.07920; [3.075, 3.085]"
+    assert str(finding.record) == "3.07920; [3.075, 3.085]"
 
 
 @pytest.mark.parametrize("text", ["", "1,5", "1e3", "4.0.0", "abc", "--1", ".5", "٣.٥", "1 2"])

@@ -9,8 +9,10 @@ import pytest
 import tiny_paper
 
 from omniproof.audit import run
-from omniproof.audit.ledger import Ledger, Row
+from omniproof.audit.evidence import Counterexample, Interval
+from omniproof.audit.ledger import Ledger, Row, cells
 from omniproof.transcription.faults import BadInput
+from omniproof.transcription.model import Uncheckable
 
 FILLED_ALWAYS = {"paper", "id", "where", "kind", "origin", "source", "note", "engines"}
 
@@ -136,9 +138,28 @@ def rows(tiny_ledger: Ledger) -> dict[str, Row]:
 
 @pytest.mark.parametrize(("name", "fields"), ROWS)
 def test_rows(name: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
-    found = rows[name].model_dump(mode="json")
+    found = cells(rows[name])
     shown = {key for key, value in found.items() if value and key not in FILLED_ALWAYS}
     assert {key: found[key] for key in shown | set(fields)} == fields
+
+
+@pytest.mark.parametrize(
+    ("name", "field", "record"),
+    [
+        pytest.param("eq:8", "witness", Counterexample(point={"x": "-26/9"}, printed="-2.889",
+            derived="2.889"), id="coordinates by name"),
+        pytest.param("tab:2[wrong,value]", "witness",
+            Counterexample(printed="5.00", derived="3.14159"), id="no symbol is free"),
+        pytest.param("tab:2[wrong,value]", "interval",
+            Interval(value="3.14159", lower="4.995", upper="5.005"), id="exact value and ends"),
+        pytest.param("sec:2/frame", "against", ("sec:3/frame",), id="the other place"),
+        pytest.param("app:A/lever", "against", ("sec:2/lever",), id="where the lever is stated"),
+        pytest.param("sec:2/lever", "against", ("app:A/lever",), id="where another one is used"),
+        pytest.param("fig:1/shape", "uncheckable", Uncheckable.FIGURE_NOT_SEEN, id="class"),
+    ],
+)  # fmt: skip
+def test_records(name: str, field: str, record: object, rows: dict[str, Row]) -> None:
+    assert getattr(rows[name], field) == record
 
 
 @pytest.mark.parametrize(

@@ -102,8 +102,8 @@ def test_a_contradiction_names_what_demands_most_and_least():
     cells = [Cell("a", "3.0", 2 * x), Cell("b", "1.5", x), Cell("c", "6.0", 3 * x)]
     solution = solve(cells, x)
     assert solution.contradiction == ("c", "a")
-    assert solution.text() == "none: c, a contradict each other"
-    assert solve(cells[:2], x).text(4) == "1.475 ≤ x < 1.550"
+    assert str(solution.record()) == "none: c, a contradict each other"
+    assert str(solve(cells[:2], x).record(4)) == "1.475 ≤ x < 1.550"
 
 
 def test_cells_that_only_touch():
@@ -118,7 +118,7 @@ def test_a_function_of_another_kind_is_enclosed():
     cell = Cell("a", "0.5", sp.cos(x), ROUNDED)
     solution = solve([cell], x, {x: Piece(Q(-3), Q(3))})
     assert not solution.is_exact
-    assert solution.text(5) == "-1.1040 ≤ x ≤ -0.98843 or 0.98843 ≤ x ≤ 1.1040"
+    assert str(solution.record(5)) == "-1.1040 ≤ x ≤ -0.98843 or 0.98843 ≤ x ≤ 1.1040"
     for left, right in ((p.lower, p.upper) for p in solution.pieces[1:]):
         assert left < sp.acos(Q("0.55")) < left + Q("1e-6")
         assert right - Q("1e-6") < sp.acos(Q("0.45")) < right
@@ -127,7 +127,7 @@ def test_a_function_of_another_kind_is_enclosed():
 def test_both_roots_are_found_where_the_unknown_may_be_negative():
     """x^2 in [3.5, 4.5]."""
     solution = solve([Cell("a", "4", x**2, ROUNDED)], x, {x: Piece(Q(-3), Q(3))})
-    assert solution.text(4) == "-2.121 ≤ x ≤ -1.871 or 1.871 ≤ x ≤ 2.121"
+    assert str(solution.record(4)) == "-2.121 ≤ x ≤ -1.871 or 1.871 ≤ x ≤ 2.121"
 
 
 def test_enclosures_are_widened_beyond_the_digits_that_are_found():
@@ -206,7 +206,7 @@ def test_a_table_of_straight_motion():
     either = solve(cells, V)
     lower, upper = in_full_speed("20.75", "18", (True, False)).lower, 18 * 2 / sqrt(3) / FULL
     assert either.pieces == (Piece(lower, upper, True, False),)
-    assert either.text() == "0.0499775 ≤ V < 0.0500609"
+    assert str(either.record()) == "0.0499775 ≤ V < 0.0500609"
     assert set(solve(read_as(cells, ROUNDED), V).contradiction) == {"0,N_1", "0,N_3"}
     assert set(solve(read_as(cells, TRUNCATED), V).contradiction) == {"0,N_2", "30,N_2"}
 

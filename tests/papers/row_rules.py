@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from omniproof.audit.ledger import Ledger, Repair, Row, Verdict
-from omniproof.transcription.model import Kind, Uncheckable
+from omniproof.transcription.model import Kind
 
 DECIDED = {Kind.IDENTITY, Kind.VALUE, Kind.RELATION}
 LONGEST_NOTE = 600
@@ -26,20 +26,16 @@ def complaints(row: Row) -> Iterator[str]:
         yield from (name for name in ("witness", "assumption") if not getattr(row, name))
     if row.verdict is Verdict.VERIFIED and decided and not row.engines:
         yield "engines"
-    if row.verdict is Verdict.VERIFIED and row.correction + row.witness + row.assumption:
+    if row.verdict is Verdict.VERIFIED and (row.correction or row.witness or row.assumption):
         yield "a right row needs no correction"
     if row.kind is Kind.VALUE and row.verdict is not Verdict.UNCHECKABLE and not row.interval:
         yield "interval"
-    if row.verdict is Verdict.UNCHECKABLE and not names_its_class(row.note):
-        yield f"no class of uncheckable in {row.note!r}"
+    if (row.verdict is Verdict.UNCHECKABLE) != (row.uncheckable is not None):
+        yield "class of uncheckable"
     if row.verdict.is_fault != bool(row.consequence):
         yield "consequence"
-    if len(row.note) > LONGEST_NOTE:
-        yield f"a note of {len(row.note)} letters"
-
-
-def names_its_class(note: str) -> bool:
-    return "decide" in note and any(name.value in note for name in Uncheckable)
+    if len(row.remark) > LONGEST_NOTE:
+        yield f"a note of {len(row.remark)} letters"
 
 
 ALLOWED = {

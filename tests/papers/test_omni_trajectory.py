@@ -164,7 +164,7 @@ def test_the_integrals_lack_one_factor(row: str, rows: dict[str, Row]) -> None:
 def test_solved_speed(rows: dict[str, Row]) -> None:
     """20.75 / 415.18 is the least V that rounds to 20.8; 3 halves of V stay below 33 - 1.835."""
     rpm = 30 / (3.14159265358979 * 0.023)
-    assert rows[SPEED].interval.endswith("0.0499775 ≤ V < 0.0500417 by the cells")
+    assert str(rows[SPEED].interval).endswith("0.0499775 ≤ V < 0.0500417 by the cells")
     assert 20.75 / rpm == pytest.approx(0.0499775, abs=1e-7)
     assert (33.0 - 1.835) / 1.5 / rpm == pytest.approx(0.0500417, abs=1e-7)
 

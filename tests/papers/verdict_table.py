@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from omniproof.audit.ledger import Row
+from omniproof.audit.ledger import Row, cells
 from omniproof.audit.run import audit_paper
 
 Edit = tuple[str, str, str]
@@ -24,8 +24,8 @@ def verdict(row: str, found: str, reason: str, **fields: str) -> Any:
 
 
 def shown(row: Row, names: Iterable[str]) -> dict[str, Any]:
-    """Some fields of a row, as the ledger writes them."""
-    fields = row.model_dump(mode="json")
+    """Some fields of a row, as the CSV has them."""
+    fields = cells(row)
     return {name: fields[name] for name in names}
 
 

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.ledger import Ledger, Row, Verdict
 from omniproof.report.anchors import anchor
 from omniproof.report.fragments import Chapter, Overview, in_text, values
@@ -222,36 +223,43 @@ def test_steps_stay_in_their_list() -> None:
 @settings(deadline=None, max_examples=100)
 @given(
     verdict=st.sampled_from(Verdict),
+    texts=st.lists(TEXT, min_size=4, max_size=4),
     fields=st.fixed_dictionaries(
-        dict.fromkeys(["where", "printed", "derived", "correction", "witness", "note"], TEXT)
+        dict.fromkeys(["where", "printed", "derived", "correction", "note"], TEXT)
     ),
 )
 def test_no_text_of_a_row_becomes_markup(
-    outline: type, verdict: Verdict, fields: dict[str, str]
+    outline: type, verdict: Verdict, texts: list[str], fields: dict[str, str]
 ) -> None:
-    row = Row(paper="p", id="eq:1", kind=Kind.IDENTITY, verdict=verdict, **fields)
+    name, value, printed, derived = texts
+    witness = Counterexample(point={name: value}, printed=printed, derived=derived)
+    row = Row(paper="p", id="eq:1", kind=Kind.IDENTITY, verdict=verdict, witness=witness, **fields)
     found = outline(row_html(row, lambda _: "#x"))
     assert set(found.tags) <= ALLOWED
     assert found.ids == ["eq-1"]
 
 
 @pytest.mark.parametrize(
-    ("witness", "expected"),
+    ("point", "expected"),
     [
-        pytest.param("x=1; printed=2; derived=3", r"at \(x=1\): printed 2, derived 3", id="point"),
-        pytest.param("printed=2; derived=3", "printed 2, derived 3", id="no point"),
+        pytest.param({"x": "1"}, r"at \(x=1\): ", id="point"),
+        pytest.param({}, "", id="no point"),
         pytest.param(
-            "v_1(t)=1; int_v_1_from_0(t)=2",
+            {"v_1(t)": "1", "int_v_1_from_0(t)": "2"},
             r"at \(v_{1}(t)=1\), \(\int_{0}^{t} v_{1}\,dt=2\): ",
             id="unknown function",
         ),
-        pytest.param("phi=2*pi/3", r"at \(\phi=2\pi /3\): ", id="multiple of pi"),
-        pytest.param("see the page", "see the page", id="words"),
-        pytest.param("", "", id="none"),
+        pytest.param({"phi": "2*pi/3"}, r"at \(\phi=2\pi /3\): ", id="multiple of pi"),
+        pytest.param({"printed": "1"}, r"at \(\mathrm{printed}=1\): ", id="any name"),
     ],
 )
-def test_witness(outline: type, witness: str, expected: str) -> None:
-    assert outline(witness_html(witness)).text == expected
+def test_witness(outline: type, point: dict[str, str], expected: str) -> None:
+    witness = Counterexample(point=point, printed="a; b=2", derived="3")
+    assert outline(witness_html(witness)).text == f"{expected}printed a; b=2, derived 3"
+
+
+def test_no_witness() -> None:
+    assert witness_html(None) == ""
 
 
 @pytest.mark.parametrize(

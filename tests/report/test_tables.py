@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from omniproof.report.tables import split_interval, write_tables
+from omniproof.report.tables import write_tables
 
 PAPER = """
 tables:
@@ -39,15 +39,3 @@ def test_a_table_without_cells_is_an_error(results: Path, tmp_path: Path) -> Non
     ledger = results / "ledger" / "omni-arrangement.json"
     with pytest.raises(ValueError, match=r"omni-arrangement\.json: no cell of Table 7"):
         write_tables(tmp_path, ledger, {7: tmp_path / "out.csv"})
-
-
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        pytest.param("3.07920 in [3.075, 3.085]", ("[3.075, 3.085]", "3.07920"), id="value first"),
-        pytest.param("[3.075, 3.085) holds 3.0792", ("[3.075, 3.085)", "3.0792"), id="value last"),
-        pytest.param("", ("", ""), id="nothing"),
-    ],
-)
-def test_split_interval(text: str, expected: tuple[str, str]) -> None:
-    assert split_interval(text) == expected

@@ -15,6 +15,7 @@ from fractions import Fraction
 import sympy as sp
 
 from omniproof.audit.balls import evaluate
+from omniproof.audit.evidence import Interval
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.preimage import solve_for
 from omniproof.decide.answer import Undecided
@@ -75,10 +76,10 @@ class DecimalFinding:
     engines: tuple[str, ...] = ENGINE
 
     @property
-    def interval_text(self) -> str:
-        """Write where the exact value lies, and the interval that the decimal stands for."""
-        lower, upper = (format_fraction(end) for end in self.interval)
-        return f"{self.digits}; [{lower}, {upper}]"
+    def record(self) -> Interval:
+        """Return where the exact value lies, and the interval that the decimal stands for."""
+        lower, upper = map(format_fraction, self.interval)
+        return Interval(value=self.digits, lower=lower, upper=upper)
 
 
 def read_decimal(text: str) -> Decimal:

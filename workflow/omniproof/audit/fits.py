@@ -10,12 +10,15 @@ and only the author knows which of both was simulated.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TypeVar
 
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
+from omniproof.audit.decimals import DecimalFinding
+from omniproof.audit.evidence import Counterexample, Interval
 from omniproof.audit.ledger import Repair, Row, Verdict
-from omniproof.audit.ranges import Reading, show
+from omniproof.audit.ranges import Reading, decimal_range
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.setups import Cell, Solution, check_setup, contradicting, solve
 from omniproof.decide.answer import Undecided
@@ -58,16 +61,23 @@ class _Question:
     others: list[Cell]
     fit: Fit
 
+    @cached_property
+    def finding(self) -> DecimalFinding:
+        """The number in the set-up that the derivation names."""
+        value = self.fit.value.xreplace(dict(self.fit.setup))
+        return _sure(confirmed_class(value, self.own.printed))
+
     def judged(self) -> Row:
         rounded = self.solved(Reading.ROUNDED)
         if rounded.pieces:
-            return self.decided(Verdict.VERIFIED, f"{rounded.text()} with all cells")
+            return self.decided(Verdict.VERIFIED, rounded)
         truncated = self.solved(Reading.TRUNCATED)
         if truncated.pieces:
-            row = self.decided(Verdict.MISROUNDED, f"{truncated.text()} with all cells")
+            row = self.decided(Verdict.MISROUNDED, truncated)
             return self.mended(row, "truncated in every set-up that gives all cells")
-        row = self.decided(Verdict.INCONSISTENT, f"{self.solved(None).text()} by the cells")
-        against = (name for name in rounded.contradiction if name != self.own.name)
+        row = self.decided(Verdict.INCONSISTENT, self.solved(None))
+        against = tuple(name for name in rounded.contradiction if name != self.own.name)
+        row = row.model_copy(update={"against": against})
         return self.mended(row, f"differs from {', '.join(against)}")
 
     def solved(self, reading: Reading | None) -> Solution:
@@ -75,21 +85,25 @@ class _Question:
         cells = [*self.others, replace(self.own, reading=reading)] if reading else self.others
         return _sure(solve(cells, next(iter(self.fit.setup))))
 
-    def decided(self, verdict: Verdict, solution: str) -> Row:
-        interval = f"{show((self.own.interval,), 'x')} by its digits; {solution}"
+    def decided(self, verdict: Verdict, solution: Solution) -> Row:
+        interval = Interval(
+            **decimal_range(self.own.interval).model_dump(),
+            value=self.finding.digits,
+            setup=solution.record(),
+            included=verdict is not Verdict.INCONSISTENT,
+        )
         update = {"verdict": verdict, "interval": interval, "engines": "flint"}
         return self.row.model_copy(update=update)
 
     def mended(self, row: Row, note: str) -> Row:
         """Show a set-up that gives the other cells, and what it gives here."""
         used = self.fit.value.free_symbols
-        point = "; ".join(f"{name}={x}" for name, x in self.fit.setup.items() if name in used)
-        finding = _sure(
-            confirmed_class(self.fit.value.xreplace(dict(self.fit.setup)), self.own.printed)
-        )
+        point = {key.name: str(x) for key, x in self.fit.setup.items() if key in used}
         mended = {
-            "witness": f"{point}; printed={self.own.printed}; derived={finding.digits}",
-            "correction": finding.correction,
+            "witness": Counterexample(
+                point=point, printed=self.own.printed, derived=self.finding.digits
+            ),
+            "correction": self.finding.correction,
             "repair": Repair.MANUAL,
         }
         return with_note(row.model_copy(update=mended), note)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 from sympy import MatrixBase
 
 from omniproof.audit.context import Context, entries, flat
+from omniproof.audit.evidence import Rival
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.mending import Mended, mend
 from omniproof.audit.own_text import same_by_name
@@ -29,9 +30,6 @@ from omniproof.transcription.parses import Parse, parses
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Node, Span
-
-MOST_SHOWN = 2
-"""Other edits that a note shows: a reader compares no more."""
 
 
 @dataclass(frozen=True)
@@ -122,16 +120,10 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context, voice: Voice) -> Row
         return with_note(row, "It follows from a premise that mechanics contradicts")
     mended = _mend(cell, place, claim.id, context, voice)
     if mended:
-        row = row.model_copy(update={"correction": mended.text, "repair": mended.grade})
-        return with_note(row, _rivals(mended.others))
+        rivals = tuple(Rival(correction=text) for text in mended.others)
+        update = {"correction": mended.text, "repair": mended.grade, "rivals": rivals}
+        return row.model_copy(update=update)
     return row.model_copy(update={"correction": row.derived, "repair": Repair.MANUAL})
-
-
-def _rivals(others: Sequence[str]) -> str:
-    """Say which other edits are as small as the correction; more than a few are only counted."""
-    if len(others) > MOST_SHOWN:
-        return f"{len(others)} other edits of the same size would make it true, too"
-    return f"as small an edit: ${'$, or $'.join(others)}$" if others else ""
 
 
 def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int, Parse | None]:

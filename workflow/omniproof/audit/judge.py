@@ -11,6 +11,7 @@ from omniproof.audit.angle_family import instance
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.context import Context
 from omniproof.audit.decimals import Rounding
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.fits import judge_fit
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
@@ -46,8 +47,11 @@ def judge_claim(claim: Claim, context: Context) -> list[Row]:
 
 
 def _judge_uncheckable(claim: Claim, context: Context) -> Row:
-    row = start(claim, context).model_copy(update={"verdict": Verdict.UNCHECKABLE})
+    told = {"uncheckable": claim.uncheckable, "argument": claim.argument or ""}
+    row = start(claim, context).model_copy(update={"verdict": Verdict.UNCHECKABLE, **told})
     row = with_note(row, f"{claim.uncheckable}. Would decide it: {claim.decided_by}")
+    if claim.argument:
+        row = with_note(row, f"Argument: {claim.argument}")
     if claim.reading is Reading.RECONSTRUCTED and claim.id in context.registry.derivations:
         return _reconstructed(row, judge_identity(claim, context))
     return row
@@ -86,14 +90,14 @@ def _judge_value(claim: Claim, context: Context) -> Row:
         update={
             "verdict": verdict,
             "derived": context.spelling.latex(value),
-            "interval": finding.interval_text,
+            "interval": finding.record,
             "engines": "+".join(finding.engines),
         }
     )
     if verdict is Verdict.VERIFIED:
         return row
     mended = {
-        "witness": f"printed={claim.printed}; derived={finding.digits}",
+        "witness": Counterexample(printed=str(claim.printed), derived=finding.digits),
         "correction": finding.correction,
         "repair": Repair.MANUAL,
     }
@@ -208,8 +212,9 @@ def _judge_consistency(claim: Claim, context: Context) -> Row:
     row = start(claim, context)
     against = [other for other in claim.agrees_with if not _agree(claim, other, context)]
     verdict = Verdict.INCONSISTENT if against else Verdict.VERIFIED
-    row = row.model_copy(update={"verdict": verdict, "engines": "text"})
-    return with_note(row, f"differs from {', '.join(against)}" if against else "")
+    fields = {"verdict": verdict, "engines": "text", "against": tuple(against)}
+    differs = f"differs from {', '.join(against)}" if against else ""
+    return with_note(row.model_copy(update=fields), differs)
 
 
 def _agree(claim: Claim, other: str, context: Context) -> bool:

@@ -15,7 +15,13 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict
 
-from omniproof.transcription.model import Kind, Reading, Source
+from omniproof.audit.evidence import Counterexample, Interval, Rival
+from omniproof.transcription.model import Kind, Reading, Source, Uncheckable
+
+RECORDS = ("rivals", "uncheckable", "argument", "against")
+"""Fields of a row that have no column of their own."""
+MOST_SHOWN = 2
+"""Other edits that a remark shows: a reader compares no more."""
 
 
 class Verdict(StrEnum):
@@ -63,7 +69,12 @@ class Repair(StrEnum):
 
 
 class Row(BaseModel):
-    """One printed cell with its verdict; the fields are the columns of `results/ledger.csv`."""
+    """One printed cell with its verdict; the fields up to `note` are the columns of the CSV.
+
+    The others are for programs: `rivals` of the correction, in the CSV a sentence of the note; of
+    an `uncheckable` row the class, and the `argument` for what was reconstructed; the claims that
+    an inconsistent row is `against`.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -80,15 +91,28 @@ class Row(BaseModel):
     correction: str = ""
     repair: Repair = Repair.NONE
     assumption: str = ""
-    witness: str = ""
-    interval: str = ""
+    witness: Counterexample | None = None
+    interval: Interval | None = None
     follows: str = ""
     consequence: Consequence = Consequence.NONE
     engines: str = ""
     note: str = ""
+    rivals: tuple[Rival, ...] = ()
+    uncheckable: Uncheckable | None = None
+    argument: str = ""
+    against: tuple[str, ...] = ()
+
+    @property
+    def remark(self) -> str:
+        """The note, and which other edits are as small as the correction: a few, or how many."""
+        others = [rival.correction for rival in self.rivals]
+        shown = f"as small an edit: ${'$, or $'.join(others)}$."
+        counted = f"{len(others)} other edits of the same size would make it true, too."
+        said = (shown if len(others) <= MOST_SHOWN else counted) if others else ""
+        return " ".join(filter(None, [self.note, said]))
 
 
-COLUMNS = tuple(Row.model_fields)
+COLUMNS = tuple(name for name in Row.model_fields if name not in RECORDS)
 
 
 class Ledger(BaseModel):
@@ -125,8 +149,13 @@ def to_csv(ledgers: Iterable[Ledger]) -> str:
     writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")
     writer.writeheader()
     for ledger in ledgers:
-        writer.writerows(row.model_dump(mode="json") for row in ledger.rows)
+        writer.writerows(map(cells, ledger.rows))
     return text.getvalue()
+
+
+def cells(row: Row) -> dict[str, str]:
+    """Write a row as plain text, column by column."""
+    return {name: str(getattr(row, name) or "") for name in COLUMNS} | {"note": row.remark}
 
 
 def write_csv(ledgers: Iterable[Ledger], path: Path) -> None:

@@ -19,6 +19,14 @@ def where(claim: str) -> str:
 
     Raises `ValueError` for what is no id.
     """
+    return ", ".join(places(claim))
+
+
+def places(claim: str) -> tuple[str, ...]:
+    """Return the same from the outermost place to the innermost.
+
+    Raises `ValueError` for what is no id.
+    """
     parts = ID.fullmatch(claim)
     if parts is None:
         raise ValueError(f"expected an id such as eq:6[2,3], got {claim!r}")
@@ -35,7 +43,7 @@ def where(claim: str) -> str:
         words.append(parts["part"].replace("-", " "))
     if parts["index"]:
         words.extend(_index(parts["object"], parts["index"].split(",")))
-    return ", ".join(words)
+    return tuple(words)
 
 
 def _index(kind: str, index: list[str]) -> list[str]:

@@ -17,6 +17,7 @@ import sympy as sp
 
 from omniproof.audit.balls import evaluate
 from omniproof.audit.decimals import read_decimal
+from omniproof.audit.evidence import Range
 from omniproof.audit.exact import sign
 from omniproof.audit.intervals import Piece
 from omniproof.audit.ordering import compare
@@ -127,8 +128,17 @@ def root(piece: Piece, power: sp.Rational) -> Piece | None:
 
 def show(pieces: Pieces, name: str, digits: int = 6) -> str:
     """Write a union of intervals with decimals: `0.0499777 ≤ V < 0.0500621`."""
-    return " or ".join(
-        piece.show(name, lambda end: _digits(end, digits), "<", "≤") for piece in pieces
+    return " or ".join(decimal_range(piece, digits).around(name) for piece in pieces)
+
+
+def decimal_range(piece: Piece, digits: int = 6) -> Range:
+    """Return an interval with decimals for its ends."""
+    lower, upper = (_digits(end, digits) for end in (piece.lower, piece.upper))
+    return Range(
+        lower=lower,
+        upper=upper,
+        lower_closed=piece.lower_closed,
+        upper_closed=piece.upper_closed,
     )
 
 

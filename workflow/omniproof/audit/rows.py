@@ -17,12 +17,13 @@ from sympy import (
 from sympy.core.relational import Relational
 
 from omniproof.audit.context import Context
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
 from omniproof.audit.sympy_domain import in_symbols
 from omniproof.audit.sympy_equality import confirmed_equal
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.registry import Family
 from omniproof.transcription.model import Claim, Kind
 
@@ -53,7 +54,7 @@ def _fields(answer: Answer, context: Context) -> dict[str, Any]:
             return {
                 "verdict": Verdict.ERRATUM,
                 "note": note,
-                "witness": str(witness),
+                "witness": _counterexample(witness),
                 "engines": "+".join(engines),
             }
         case OnBranch(engines, _, witness):
@@ -62,11 +63,17 @@ def _fields(answer: Answer, context: Context) -> dict[str, Any]:
                 "verdict": Verdict.CONDITIONAL,
                 "assumption": condition,
                 "note": note,
-                "witness": str(witness),
+                "witness": _counterexample(witness),
                 "engines": "+".join(engines),
             }
         case Undecided(reason):
             return {"verdict": Verdict.UNDECIDED, "note": reason}
+
+
+def _counterexample(witness: Witness) -> Counterexample:
+    return Counterexample(
+        point=dict(witness.point), printed=witness.printed, derived=witness.derived
+    )
 
 
 def answered(row: Row, answer: Answer, context: Context) -> Row:

@@ -25,6 +25,7 @@ import sympy as sp
 
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import DecimalFinding, solve_for
+from omniproof.audit.evidence import Setup
 from omniproof.audit.exact import sign
 from omniproof.audit.intervals import Piece
 from omniproof.audit.preimage import MOST_CELLS, SMALLEST
@@ -34,12 +35,12 @@ from omniproof.audit.ranges import (
     Reading,
     add,
     contains,
+    decimal_range,
     meet,
     meet_all,
     order,
     root,
     scale,
-    show,
     stands_for,
 )
 from omniproof.decide.answer import Undecided
@@ -99,11 +100,10 @@ class Solution:
         """Whether the ends are exact, and every number within is a solution."""
         return all(line.exact for line in self.evidence)
 
-    def text(self, digits: int = 6) -> str:
-        """Write `0.0499777 ≤ V < 0.0500621`, or which cells contradict each other."""
-        if not self.pieces:
-            return f"none: {', '.join(self.contradiction)} contradict each other"
-        return show(self.pieces, self.unknown.name, digits)
+    def record(self, digits: int = 6) -> Setup:
+        """Return what is left, with decimals for the ends."""
+        ranges = tuple(decimal_range(piece, digits) for piece in self.pieces)
+        return Setup(unknown=self.unknown.name, ranges=ranges, contradicting=self.contradiction)
 
 
 @dataclass(frozen=True)

@@ -109,8 +109,9 @@ def judge_convention(row: Row, convention: str, context: Context) -> Row:
     if second is None:
         return row
     stated_at = context.claims[convention].agrees_with
+    against = tuple(place for place in (*stated_at, convention) if place != row.id)
     return with_note(
-        row.model_copy(update={"verdict": Verdict.INCONSISTENT}),
+        row.model_copy(update={"verdict": Verdict.INCONSISTENT, "against": against}),
         f"stated at {', '.join(stated_at)}: {definition.stated}; "
         f"used from {convention} on: {second}",
         f"two cures: keep the first, and change {_listed(used[second])}; or give the second a name "

@@ -118,7 +118,7 @@ def card_faults(page: str, text: str, ledger: Ledger, derived: Derived) -> Itera
     cards = Cards(text).cards
     for row in ledger.rows:
         card = cards.get(f"#{anchor(row.id)}")
-        lacking = [] if card is None or _says(card, row.note) else ["its whole note"]
+        lacking = [] if card is None or _says(card, row.remark) else ["its whole note"]
         if row.verdict.is_fault:
             lacking += _lacking(row, card, derived) if card else ["a card"]
         yield from (f"{page}: {row.id} lacks {what}" for what in lacking)

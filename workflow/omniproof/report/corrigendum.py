@@ -14,16 +14,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict
-from omniproof.audit.places import where
-from omniproof.report.latexfmt import CLAIM
+from omniproof.audit.places import places
 from omniproof.transcription.ids import base
 from omniproof.transcription.model import Edition, Kind, Source
 
 LISTED = frozenset({Verdict.ERRATUM, Verdict.MISROUNDED, Verdict.INCONSISTENT})
 TOLD = LISTED | {Verdict.MODEL_GAP}
 REACHING = frozenset({Consequence.MOTION, Consequence.NUMBER})
-_CITES = re.compile(r"Reference: (sec|app) ((?:\w+ )+)cites ")
-_SECTIONS = {"sec": "Section {}, reference", "app": "Appendix ({}), reference"}
+_CITES = re.compile(r"xref:(sec|app)-([\w-]+?)-cites-.*")
+_SECTIONS = {"sec": "Section {}", "app": "Appendix ({})"}
 
 
 @dataclass(frozen=True)
@@ -154,24 +153,24 @@ def _recurring(rows: Iterable[Row]) -> list[Item]:
 
 
 def _contradicting(rows: Iterable[Row]) -> list[Item]:
-    """Put the places together whose notes name each other, directly or by way of a third."""
+    """Put the places together that are against each other, directly or by way of a third."""
     places = {row.id: row for row in rows if row.kind is Kind.CONSISTENCY}
     family: dict[str, frozenset[str]] = {}
     for row in places.values():
-        named = {row.id, *CLAIM.findall(row.note)} & places.keys()
+        named = {row.id, *row.against} & places.keys()
         joined = frozenset(named).union(*(family.get(name, frozenset()) for name in named))
         family.update(dict.fromkeys(joined, joined))
     members = dict.fromkeys(frozenset(names) for names in family.values())
     return [Item(tuple(row for name, row in places.items() if name in m)) for m in members]
 
 
-def place(claim: str) -> str:
+def place(claim: str) -> tuple[str, ...]:
     """Return the place of a claim for a reader of the paper; of a reference, the section it is in.
 
-    Raises `ValueError` for what is no id.
+    From the outermost place to the innermost. Raises `ValueError` for what is no id.
     """
-    words = where(claim)
-    if cited := _CITES.match(words):
-        number = ".".join(cited[2].split())
-        return _SECTIONS[cited[1]].format(number.upper() if cited[1] == "app" else number)
-    return words
+    if cited := _CITES.fullmatch(claim):
+        number = cited[2].replace("-", ".")
+        section = _SECTIONS[cited[1]].format(number.upper() if cited[1] == "app" else number)
+        return section, "reference"
+    return places(claim)

@@ -23,7 +23,7 @@ from omniproof.report.fragments.claims import symbol_latex
 from omniproof.report.groups import Group, matrix_of
 from omniproof.report.theme import MARKS
 from omniproof.report.typstmath import cell, contrasted, inline, is_formula, math, words
-from omniproof.transcription.ids import base, index
+from omniproof.transcription.ids import base, index, whole
 from omniproof.transcription.model import Kind
 
 PAGES = 2
@@ -102,7 +102,7 @@ def _row(item: Item) -> str:
     if item.is_contradiction:
         name, body = _place(lead), _sides(item)
     elif item.is_table:
-        name, body = _named(place(lead.id).split(",")[0]), _cells(item)
+        name, body = _named(place(whole(lead.id))), _cells(item)
     else:
         name, body = _place(lead), _change(item)
     wide = is_formula(lead.printed) and len(lead.correction) > LONGEST_LINE
@@ -153,7 +153,7 @@ def _change(item: Item) -> str:
         printed, corrected = contrasted(lead.printed, lead.correction)
     else:
         printed, corrected = (cell(text, _refer) for text in (lead.printed, lead.correction))
-    exact = _values(lead).get("derived", "") if lead.kind is Kind.VALUE else ""
+    exact = lead.witness.derived if lead.witness and lead.kind is Kind.VALUE else ""
     also = "; ".join(_place(row) for row in item.rows[1:])
     return (
         f"#change([{printed}], [{corrected}{f' #exact[{math(exact)}]' if exact else ''}])"
@@ -164,9 +164,10 @@ def _change(item: Item) -> str:
 def _cells(item: Item) -> str:
     """Return the cells of one table, each with its name, what is printed, and the exact value."""
     return " ".join(
-        f"#entry([{_named(', '.join(index(row.id)))}], [{math(row.printed)}], "
-        f"[{math(row.correction)} #exact[{math(_values(row)['derived'])}]])"
+        f"#entry([{_named(index(row.id))}], [{math(row.printed)}], "
+        f"[{math(row.correction)} #exact[{math(row.witness.derived)}]])"
         for row in item.rows
+        if row.witness
     )
 
 
@@ -196,17 +197,17 @@ def _refer(claim: str) -> str:
     return _named(place(claim))
 
 
-def _named(names: str) -> str:
+def _named(names: Iterable[str]) -> str:
     """Return names joined by commas as markup; one with an index is a symbol, `N_1`."""
     return ", ".join(
-        math(name) if _SYMBOL.fullmatch(name) else f"#{words(name)};" for name in names.split(", ")
+        math(name) if _SYMBOL.fullmatch(name) else f"#{words(name)};" for name in names
     )
 
 
 def _reason(item: Item) -> str:
     """Return why the printed form is wrong: the note of the row, or its counterexample."""
     lead = item.lead
-    told = lead.note if lead.kind is not Kind.IDENTITY else ""
+    told = lead.remark if lead.kind is not Kind.IDENTITY else ""
     reason = inline(sentences(told), _refer) if told else _counterexample(lead)
     if lead.follows and lead.follows not in {row.id for row in item.rows}:
         return f"{reason} {inline(f'Follows from {lead.follows}.', _refer)}"
@@ -214,17 +215,11 @@ def _reason(item: Item) -> str:
 
 
 def _counterexample(row: Row) -> str:
-    values = _values(row)
-    printed, true = (cell(values.pop(side, ""), _refer) for side in ("printed", "derived"))
-    if not (printed and true):
-        return inline(row.note, _refer)
-    point = ", ".join(math(f"{symbol_latex(name)} = {value}") for name, value in values.items())
+    if row.witness is None:
+        return inline(row.remark, _refer)
+    printed, true = (cell(text, _refer) for text in (row.witness.printed, row.witness.derived))
+    values = row.witness.point.items()
+    point = ", ".join(math(f"{symbol_latex(name)} = {value}") for name, value in values)
     if len(values) > LONGEST_WITNESS:
         point = "one choice of values"
     return f"{f'At {point}: p' if point else 'P'}rinted {printed}, true {true}."
-
-
-def _values(row: Row) -> dict[str, str]:
-    """Return the witness by name: `alpha_1=2/7; printed=0.84`."""
-    pairs = (part.partition("=") for part in row.witness.split("; "))
-    return {name: value for name, sign, value in pairs if sign}

@@ -11,7 +11,7 @@ from pydantic import TypeAdapter
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, to_csv
 from omniproof.report.latexfmt import is_latex
 from omniproof.report.shorten import differing
-from omniproof.transcription.model import Kind, Source, Uncheckable
+from omniproof.transcription.model import Kind, Source
 
 GRAVITY = (
     Verdict.UNDECIDED,
@@ -78,7 +78,7 @@ def sentence(row: Row, *, short: bool = False) -> str:
     if row.assumption:
         link = ": only when" if words and printed else " holds only when"
         return f"{printed}{link} {quoted(row.assumption)}".strip()
-    return row.note or row.printed
+    return row.remark or row.printed
 
 
 def _corrected(row: Row, printed: str, *, words: bool, short: bool) -> str:
@@ -96,11 +96,6 @@ def quoted(text: str) -> str:
     """Return a cell of the ledger for running text: a formula between dollar signs."""
     text = text.strip()
     return f"${text}$" if is_latex(text) else text
-
-
-def uncheckable_class(row: Row) -> str:
-    """Return the class that an uncheckable row names in its note; empty when it names none."""
-    return next((name.value for name in Uncheckable if name.value in row.note), "")
 
 
 def findings_csv(ledgers: Sequence[Ledger]) -> str:

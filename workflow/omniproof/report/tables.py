@@ -13,7 +13,6 @@ from pathlib import Path
 
 from omniproof.audit.ledger import Row, read_json
 from omniproof.report.anchors import selects
-from omniproof.report.decimals import split_interval
 from omniproof.transcription.ids import index
 from omniproof.transcription.model import Kind
 from omniproof.transcription.paperfile import load_document
@@ -58,13 +57,12 @@ def table_csv(cells: Sequence[Row], units: Mapping[str, str]) -> str:
 def _number(cell: Row, units: Mapping[str, str]) -> Sequence[str]:
     place = index(cell.id)
     column = place[1] if len(place) > 1 else ""
-    interval, computed = split_interval(cell.interval)
-    unit = units.get(column, "")
-    return (place[0], column, cell.printed, unit, interval, computed, cell.verdict)
+    bounds, value = (cell.interval.bounds, cell.interval.value) if cell.interval else ("", "")
+    return (place[0], column, cell.printed, units.get(column, ""), bounds, value, cell.verdict)
 
 
 def _line(cell: Row) -> Sequence[str]:
-    return (",".join(index(cell.id)), cell.printed, cell.verdict, cell.correction, cell.note)
+    return (",".join(index(cell.id)), cell.printed, cell.verdict, cell.correction, cell.remark)
 
 
 def _csv(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

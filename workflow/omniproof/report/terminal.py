@@ -21,9 +21,9 @@ def _entry(row: Row, columns: int) -> str:
         "printed": row.printed,
         "correct": row.correction,
         "holds for": row.assumption,
-        "witness": row.witness,
+        "witness": str(row.witness or ""),
         "follows": row.follows,
-        "note": row.note,
+        "note": row.remark,
     }
     lines = [head]
     for name, text in details.items():

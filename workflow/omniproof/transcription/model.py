@@ -170,7 +170,7 @@ class Claim(Record):
     kind `value`, and the verbatim wording or symbol to compare for kind `consistency`. `assumes`
     are inequalities that the paper states for this claim, in LaTeX. Where the source is re-encoded,
     `latex` and `quote` are decoded from the piece `glyphs` of the source, with the glyphs that are
-    `lost` there.
+    `lost` there; where a display is gone, `argument` says why it is reconstructed like this.
     """
 
     id: ClaimId
@@ -192,6 +192,7 @@ class Claim(Record):
     lost: Text | None = None
     uncheckable: Uncheckable | None = None
     decided_by: Text | None = None
+    argument: Text | None = None
 
     @field_validator("latex", "agrees_with", "assumes", mode="before")
     @classmethod
@@ -202,6 +203,8 @@ class Claim(Record):
     def _evidence_is_whole(self) -> Self:
         if (self.uncheckable is None) != (self.decided_by is None):
             raise ValueError("`uncheckable` and `decided_by` (what would decide it) go together")
+        if self.argument and self.reading is not Reading.RECONSTRUCTED:
+            raise ValueError("only what is reconstructed (`reading: reconstructed`) has `argument`")
         decoded = self.reading is Reading.GLYPHS and bool(self.latex or self.quote)
         if (self.glyphs and not decoded) or (self.lost and not self.glyphs):
             raise ValueError("only what is decoded (`reading: glyphs`) has `glyphs` and `lost`")

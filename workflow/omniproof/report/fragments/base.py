@@ -12,7 +12,6 @@ from typing import Any
 
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
-from omniproof.report.decimals import split_interval
 from omniproof.report.findings import GRAVITY
 from omniproof.report.latexfmt import inline
 from omniproof.report.theme import MARKS
@@ -104,15 +103,17 @@ def sentences(note: str) -> str:
 
 def interval_html(row: Row) -> str:
     """Return the exact value, and what the printed decimal stands for."""
-    bounds, value = split_interval(row.interval)
-    if not bounds:
-        return inline(row.interval)
+    if row.interval is None:
+        return ""
+    if row.interval.setup:
+        return inline(str(row.interval))
     lies = {
         Verdict.VERIFIED: "is in",
         Verdict.MISROUNDED: "is not in",
         Verdict.ERRATUM: "is not in",
     }
-    return escape(f"{value} {lies.get(row.verdict, 'beside')} {bounds}")
+    lie = lies.get(row.verdict, "beside")
+    return escape(f"{row.interval.value} {lie} {row.interval.bounds}")
 
 
 def table(head: Sequence[str], rows: Iterable[str], kind: str = "") -> str:
@@ -123,8 +124,3 @@ def table(head: Sequence[str], rows: Iterable[str], kind: str = "") -> str:
         f'<table class="audit {kind}"><thead><tr>{columns}</tr></thead>'
         f"<tbody>{''.join(rows)}</tbody></table></div>"
     )
-
-
-def place_of_group(where: str) -> str:
-    """Return the place of a matrix from an entry's: `Eq. (6), row 2, column 3` -> `Eq. (6)`."""
-    return re.split(r",? (?:row|column|entry|component|line \d+, row)\b", where)[0]

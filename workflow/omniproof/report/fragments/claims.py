@@ -6,7 +6,9 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 
+from omniproof.audit.evidence import Counterexample
 from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
+from omniproof.audit.places import where
 from omniproof.report.anchors import anchor
 from omniproof.report.changes import Changes, changes
 from omniproof.report.code_pages import code_link
@@ -17,7 +19,6 @@ from omniproof.report.fragments.base import (
     interval_html,
     link,
     note_html,
-    place_of_group,
     worst,
 )
 from omniproof.report.groups import Group, matrix_of
@@ -72,7 +73,7 @@ def group_html(group: Group, href: Href, *, addressed: bool, derived: Derived | 
     address = f' id="{anchor(group.base)}"' if addressed else ""
     head = (
         f"{badge(verdict, f'{count} of {len(group.rows)}')} "
-        f'<span class="where">{inline(place_of_group(group.rows[0].where))}</span>'
+        f'<span class="where">{inline(where(group.base))}</span>'
     )
     return (
         f'<section class="claim matrix v-{verdict}"{address}><div class="claim-head">{head}</div>'
@@ -130,7 +131,7 @@ def row_html(
         f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
         f'<span class="printed">{"" if bare else cell(printed)}</span>'
     )
-    note = f'<p class="note">{note_html(row.note, href)}</p>' if row.note else ""
+    note = f'<p class="note">{note_html(row.remark, href)}</p>' if row.remark else ""
     facts = facts_html(row, href, derived, changed)
     if row.verdict not in FOLDED:
         return (
@@ -139,7 +140,7 @@ def row_html(
         )
     if row.verdict.is_fault:
         # No links: what opens and closes must not hold anything else to press. They are inside.
-        head += f'<span class="remark">{note_html(row.note, lambda _: None)}</span>'
+        head += f'<span class="remark">{note_html(row.remark, lambda _: None)}</span>'
     return (
         f'<details class="claim v-{row.verdict}"{address}>'
         f"<summary>{head}</summary>{note}{facts}</details>"
@@ -230,18 +231,13 @@ def engine_names(engines: str) -> str:
     return escape(", ".join(ENGINES.get(name, name) for name in engines.split("+")))
 
 
-def witness_html(witness: str) -> str:
-    """Return `alpha_1=2/7; printed=0.84; derived=-0.31` as a sentence with formulas."""
-    if not witness:
+def witness_html(witness: Counterexample | None) -> str:
+    """Return a counterexample as a sentence with formulas."""
+    if witness is None:
         return ""
-    pairs = [part.partition("=") for part in witness.split("; ")]
-    if not all(sign for _, sign, _ in pairs):
-        return inline(witness)
-    named = [(n, v) for n, _, v in pairs if n not in {"printed", "derived"}]
-    point = [f"{symbol_latex(n)}={_coordinate(v)}" for n, v in named]
-    sides = [f"{n} {inline(v)}" for n, _, v in pairs if n in {"printed", "derived"}]
-    at = "at " + ", ".join(math(latex) for latex in point) + ": " if point else ""
-    return at + ", ".join(sides)
+    point = [f"{symbol_latex(name)}={_coordinate(x)}" for name, x in witness.point.items()]
+    at = f"at {', '.join(map(math, point))}: " if point else ""
+    return f"{at}printed {inline(witness.printed)}, derived {inline(witness.derived)}"
 
 
 def _coordinate(text: str) -> str:

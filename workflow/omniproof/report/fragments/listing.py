@@ -69,7 +69,7 @@ def _finding(row: Row, href: Href) -> str:
     printed = changed.printed if changed else row.printed
     correct = changed.corrected if changed else row.correction or row.derived
     follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
-    note = note_html(row.note, href) + follows
+    note = note_html(row.remark, href) + follows
     lines = (
         _labelled(_printed(row), printed, href),
         _labelled("correct", correct, href),

@@ -9,7 +9,7 @@ from html import escape
 from pathlib import Path
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, read_json
-from omniproof.report.findings import REACH, findings, quoted, uncheckable_class
+from omniproof.report.findings import REACH, findings, quoted
 from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.assumptions import assumptions_html
 from omniproof.report.fragments.base import (
@@ -114,7 +114,7 @@ class Overview:
     def uncheckable(self) -> Fragment:
         """Show how many claims nothing at hand decides, by class, and what would decide them."""
         found = [r for led in self.ledgers for r in led.rows if r.verdict is Verdict.UNCHECKABLE]
-        counts = Counter(uncheckable_class(row) for row in found)
+        counts = Counter(row.uncheckable or "" for row in found)
         rows = (
             f'<tr><th scope="row">{escape(name) or "not classified"}</th>'
             f'<td class="number">{counts[name]}</td><td>{DECIDED_BY.get(name, "")}</td></tr>'

@@ -87,4 +87,4 @@ def grid_html(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 def _said(row: Row, href: Href) -> Sequence[str]:
     corrected = row.correction or (row.derived if row.verdict is not Verdict.VERIFIED else "")
     target = cell(corrected, lambda claim: link(claim, href))
-    return (note_html(row.note, href), f"should read: {target}" if corrected else "")
+    return (note_html(row.remark, href), f"should read: {target}" if corrected else "")
