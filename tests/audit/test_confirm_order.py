@@ -8,12 +8,11 @@ import pytest
 import sympy as sp
 from sympy import Abs, Integer, Rational, Symbol, cos, pi, sin, sqrt, symbols
 
-from omniproof.audit import extrema, sign_chart, signs, smt, smt_order
+from omniproof.audit import extrema, sign_chart, signs
 from omniproof.audit.comparison import compare
-from omniproof.audit.confirm_order import confirmed_order
+from omniproof.audit.confirm_order import confirmed_order, region_of
 from omniproof.audit.positivity import Positive
 from omniproof.audit.relations import judge
-from omniproof.audit.smt_order import Region
 from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.answer import (
     Answer,
@@ -24,6 +23,11 @@ from omniproof.decide.answer import (
     Undecided,
     Witness,
 )
+from omniproof.decide.z3 import order
+from omniproof.decide.z3.translation import Translation
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import ZERO
+from omniproof.formula.value import Comparison
 from omniproof.registry import Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
@@ -106,21 +110,27 @@ FALSE_ANSWERS = [
 ]  # fmt: skip
 
 
+def asked(answer: Answer, formula: sp.Expr) -> Answer:
+    """Ask z3 about an answer on a formula that is to be positive within half a turn."""
+    failure = Comparison(term_of(formula), "\\leq", ZERO)
+    return confirmed_order(answer, [failure], region_of(HALF, {}, (), (formula,)))
+
+
 @pytest.mark.parametrize(("answer", "formula"), FALSE_ANSWERS)
 def test_a_wrong_answer_is_a_disagreement(answer: Answer, formula: sp.Expr) -> None:
     with pytest.raises(DisagreementError, match=r"^z3 contradicts flint on a point with (sin|cos)"):
-        confirmed_order(answer, [(formula, "<=")], Region(HALF))
+        asked(answer, formula)
 
 
 def test_a_condition_that_suffices_is_confirmed() -> None:
     answer = OnBranch(("flint",), "", WITNESS, relations=(t < pi / 2,))
-    assert confirmed_order(answer, [(cos(t), "<=")], Region(HALF)).engines == ("flint", "z3")
+    assert asked(answer, cos(t)).engines == ("flint", "z3")
 
 
 def test_a_candidate_contradicts_nothing() -> None:
     """Where an angle is also a number, the point that z3 finds may be none."""
     proved = Proved(("flint",))
-    assert confirmed_order(proved, [(t - sin(t), "<=")], Region(HALF)) == proved
+    assert asked(proved, t - sin(t)) == proved
 
 
 @pytest.mark.parametrize(
@@ -150,14 +160,13 @@ def test_broken_balls_are_caught(
 @pytest.mark.parametrize(
     ("owner", "name", "broken"),
     [
-        pytest.param(smt_order, "_cross", lambda u, v: u[0] * v[1] + u[1] * v[0], id="arcs"),
-        pytest.param(smt_order._Search, "_turned", lambda _, c, s, *turn: turn, id="sums"),
-        pytest.param(smt.Translation, "_product", lambda _, *parts: parts[0], id="products"),
-        pytest.param(smt_order._Search, "_principal_root", lambda q, *_: smt.Fraction(q.one, q.one),
-                     id="roots"),
-        pytest.param(smt_order._Search, "_absolute", lambda q, node: q.fraction(node.args[0]),
+        pytest.param(order, "_cross", lambda u, v: u[0] * v[1] + u[1] * v[0], id="arcs"),
+        pytest.param(order._Search, "_turned", lambda _, angle, turn: turn, id="sums"),
+        pytest.param(Translation, "_product", lambda _, *parts: parts[0], id="products"),
+        pytest.param(order._Search, "_root", lambda q, *_: q._whole(q.one), id="roots"),
+        pytest.param(order._Search, "_absolute", lambda q, inside: q.fraction(inside),
                      id="absolute values"),
-        pytest.param(smt_order._Search, "_bound", lambda *_: None, id="ranges"),
+        pytest.param(order._Search, "_bound", lambda *_: None, id="ranges"),
     ],
 )  # fmt: skip
 def test_a_broken_z3_is_caught(

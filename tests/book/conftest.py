@@ -22,7 +22,7 @@ CHROMIUM = os.environ.get("CHROMIUM", shutil.which("chromium") or shutil.which("
 def small(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build the book of the project around the small results."""
     folder = tmp_path_factory.mktemp("book")
-    stage(ROOT / "book", small_results(folder / "results"), folder / "source")
+    stage(ROOT / "book", small_results(folder / "results"), ROOT / "paper_data", folder / "source")
     build(folder / "source", folder / "html")
     return folder / "html"
 

@@ -48,7 +48,12 @@ def test_bibliography_and_readme_have_every_paper(paper: str) -> None:
 
 
 def test_two_builds_give_the_same_bytes(small: Path, tmp_path: Path) -> None:
-    stage(ROOT / "book", small_results(tmp_path / "elsewhere"), tmp_path / "deep" / "source")
+    stage(
+        ROOT / "book",
+        small_results(tmp_path / "elsewhere"),
+        ROOT / "paper_data",
+        tmp_path / "deep" / "source",
+    )
     build(tmp_path / "deep" / "source", tmp_path / "deep" / "html")
     assert different(filecmp.dircmp(small, tmp_path / "deep" / "html")) == []
 
@@ -72,7 +77,9 @@ def different(pair: filecmp.dircmp[str]) -> list[str]:
 
 
 def test_a_failed_build_names_the_fault_and_keeps_the_old_report(tmp_path: Path) -> None:
-    stage(ROOT / "book", small_results(tmp_path / "results"), tmp_path / "source")
+    stage(
+        ROOT / "book", small_results(tmp_path / "results"), ROOT / "paper_data", tmp_path / "source"
+    )
     (tmp_path / "source" / "bibliography.md").write_text("# Bibliography\n\n{ref}`nowhere`\n")
     (tmp_path / "html").mkdir()
     (tmp_path / "html" / "index.html").write_text("old")
@@ -85,4 +92,4 @@ def test_a_failed_build_names_the_fault_and_keeps_the_old_report(tmp_path: Path)
 
 def test_nothing_executed_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(BookError, match="no executed notebook"):
-        stage(ROOT / "book", tmp_path, tmp_path / "source")
+        stage(ROOT / "book", tmp_path, ROOT / "paper_data", tmp_path / "source")

@@ -35,16 +35,6 @@ FULL_OF_FORMULAS = "omni-arrangement.html"
 PRINTED = ("index.html", FULL_OF_FORMULAS)
 
 
-@pytest.fixture(params=["http", "file"])
-def root(request: pytest.FixtureRequest, report: Path) -> Iterator[str]:
-    """Give the address of the report, with a slash at its end."""
-    if request.param == "file":
-        yield f"{report.as_uri()}/"
-    else:
-        with served(report) as address:
-            yield address
-
-
 @pytest.fixture(scope="module")
 def address(report: Path) -> Iterator[str]:
     with served(report) as address:
@@ -165,16 +155,6 @@ def test_the_tests_see_what_is_wrong(page: Page, small: Path, tmp_path: Path) ->
     found = barriers(page, "light")
     assert any(fault.startswith("color-contrast") for fault in found)
     assert any(fault.startswith("image-alt") for fault in found)
-
-
-def test_search_finds_a_chapter(page: Page, root: str) -> None:
-    visit(page, f"{root}search.html?q=verdict")
-    hit = page.locator("#search-results li a").first
-    hit.wait_for(timeout=10_000)
-    hit.click()
-    page.wait_for_load_state()
-    assert not page.url.startswith(f"{root}search")
-    assert "verdict" in page.locator("article").inner_text()
 
 
 STILL = "() => Promise.allSettled(document.getAnimations().map((each) => each.finished))"

@@ -9,7 +9,7 @@ and the least value is as printed.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from functools import cache
 from typing import Any
 
@@ -18,7 +18,11 @@ from questions import ask
 
 from corpus import load
 from omniproof.audit.sympy_equality import decide_equal
-from omniproof.decide.answer import Proved
+from omniproof.decide import zero_test
+from omniproof.decide.answer import Answer, Proved
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import Term, substitute
+from omniproof.transcription.symbols import symbol_name
 
 RADIUS = sp.Symbol("r", positive=True)
 SPEEDS = sp.symbols("v_1:4", real=True)
@@ -91,24 +95,31 @@ def staged() -> list[Pair]:
     return lemmas + [pair for name in STAGES for pair in ask(records[name]).pairs]
 
 
-def direct() -> list[Pair]:
-    """Return the three normal equations at the printed optimum, everything inserted."""
-    values: Mapping[sp.Symbol, sp.Expr] = {
-        sp.Symbol(name, real=True): value for name, value in coefficients().items()
-    }
+def direct() -> list[tuple[Term, Term]]:
+    """Return the three normal equations at the printed optimum, everything put in as it is."""
+    values = {symbol_name(name): term_of(value) for name, value in coefficients().items()}
     records = {record.id: record for record in load()}
     pairs = [pair for name in STAGES[:3] for pair in ask(records[name]).pairs]
-    return [(left.xreplace(values), right) for left, right in pairs]
+    return [(substitute(term_of(left), values), term_of(right)) for left, right in pairs]
+
+
+def answers() -> dict[str, Callable[[], list[Answer]]]:
+    """Return what is to be decided, in stages and directly."""
+    lemmas, equations = staged(), direct()
+    return {
+        "staged": lambda: [decide_equal(left, right) for left, right in lemmas],
+        "direct": lambda: [zero_test.decide_equal(left, right) for left, right in equations],
+    }
 
 
 def elimination_times() -> dict[str, dict[str, str | float]]:
     """Return what is said of the elimination, in stages and directly, and the seconds it takes."""
     found: dict[str, dict[str, str | float]] = {}
-    for name, pairs in (("staged", staged()), ("direct", direct())):
+    for name, decide in answers().items():
         start = time.process_time()
-        answers = [decide_equal(left, right) for left, right in pairs]
+        said = decide()
         seconds = round(time.process_time() - start, 3)
-        open_ones = [answer for answer in answers if not isinstance(answer, Proved)]
-        said = str(open_ones[0]) if open_ones else "proved"
-        found[name] = {"questions": len(pairs), "said": said, "seconds": seconds}
+        open_ones = [answer for answer in said if not isinstance(answer, Proved)]
+        result = str(open_ones[0]) if open_ones else "proved"
+        found[name] = {"questions": len(said), "said": result, "seconds": seconds}
     return found

@@ -12,6 +12,7 @@ REQUIRED INPUTS:
     figures  = results/figures/{paper}/figure-{number}.svg
     data     = results/figures/{paper}/figure-{number}.csv
     corrigenda = results/corrigenda/{paper}.pdf
+    printed  = paper_data/{paper}/*
     crate    = book/_build/html/ro-crate-metadata.json
 
 OUTPUTS:
@@ -33,6 +34,7 @@ rule book:
         figures=[*figures_of(*settings.told), *architecture()],
         data=[*figures_of(*settings.told, suffix="csv"), *architecture(suffix="csv")],
         corrigenda=corrigenda_of(*settings.papers),
+        printed=[file for paper in settings.papers for file in paper_data(paper)],
         package=package("report.book"),
     output:
         index="book/_build/html/index.html",

@@ -8,5 +8,5 @@ from omniproof.report.step import step
 with step(snakemake):
     html = Path(snakemake.output.index).parent
     source = html.parent / "source"
-    stage(Path("book"), Path("results"), source)
+    stage(Path("book"), Path("results"), Path("paper_data"), source)
     build(source, html)

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import sympy as sp
+from flint import fmpq
 
 from omniproof.decide import balls
 from omniproof.decide.balls import Ball, Program
@@ -13,7 +14,9 @@ from omniproof.formula.sympy_terms import term_of
 
 
 def exact_number(number: Any) -> sp.Expr:
-    """Turn an int into a SymPy number; leave an expression as it is, unevaluated parts included."""
+    """Turn an int or a fraction of FLINT into a SymPy number; leave an expression as it is."""
+    if isinstance(number, fmpq):
+        return sp.Rational(int(number.numerator), int(number.denominator))
     return sp.Integer(number) if isinstance(number, int) else number
 
 

@@ -7,10 +7,10 @@ one after x = a + t/(1 - t). Everything else is undecided, and says that a range
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
+from functools import cached_property
 from itertools import compress, islice, product
 from math import lcm
 from typing import Any, TypeAlias
@@ -18,25 +18,30 @@ from typing import Any, TypeAlias
 import sympy as sp
 from sympy.core.relational import Relational
 
-from omniproof.audit.balls import compile_balls, evaluate
-from omniproof.audit.confirm_order import confirmed_order
-from omniproof.audit.exact import sign, subtract, vanishes
+from omniproof.audit.balls import exact_number
+from omniproof.audit.confirm_order import confirmed_order, region_of
+from omniproof.audit.exact import subtract
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, not_on_faces, sign_on
-from omniproof.audit.smt_order import Nowhere, Region, Somewhere, find_point
 from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
-from omniproof.decide.balls import format_ball, rational_ball, sign_of
+from omniproof.decide.balls import compile_balls, enclose, format_ball, rational_ball, sign_of
+from omniproof.decide.exact import sign
 from omniproof.decide.normal_form.angles import read_angle
+from omniproof.decide.normal_form.form import normal_form
+from omniproof.decide.order.evident import is_evident
+from omniproof.decide.z3.order import Nowhere, Region, Somewhere, find_point
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS, term_of
-from omniproof.formula.term import Symbol
+from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS, positive_names, term_of
+from omniproof.formula.term import Symbol, Term, substitute, symbols
+from omniproof.formula.term import subtract as difference_of
+from omniproof.formula.value import Comparison
 
 ENGINE = ("flint",)
 WANTED = {"<": -1, "\\leq": -1, ">": 1, "\\geq": 1}
-FAILS = {"<": ">=", "\\leq": ">", ">": "<=", "\\geq": "<", "\\neq": "=="}
+FAILS = {"<": "\\geq", "\\leq": ">", ">": "\\leq", "\\geq": "<", "\\neq": "="}
 STEPS = 300_000
 """More than a confirmation is given: here z3 is the only one left."""
 MOST_CANDIDATES = 30
@@ -46,21 +51,32 @@ PROBES = 60
 LARGEST_SHORT = 10**100
 """Beyond it no short number is near, and its square would soon be beyond floats."""
 Point: TypeAlias = Mapping[sp.Symbol, Any]
-_TURN = re.compile(r"(-?)(?:(\d+)\*)?pi(?:/(\d+))?")
+Terms: TypeAlias = tuple[Term, Term]
 
 
-def compare(left: sp.Expr, operator: str, right: sp.Expr, domain: Domain = REALS) -> Answer:
+def compare(
+    left: sp.Expr,
+    operator: str,
+    right: sp.Expr,
+    domain: Domain = REALS,
+    terms: Terms | None = None,
+) -> Answer:
     r"""Decide whether `left operator right` holds at every point where both sides are defined.
 
+    `terms` are the sides as they are printed, before SymPy had an idea of them.
     With one variable on a bounded range, what holds in parts is `OnBranch` with the exact set.
     What is not decided is `Undecided`. Raises `DisagreementError` when z3 contradicts the balls.
     """
-    return guarded(lambda: _Comparison(left, operator, right, domain).confirmed())
+    return guarded(lambda: _Comparison(left, operator, right, domain, terms).confirmed())
 
 
 class _Comparison:
-    def __init__(self, left: sp.Expr, operator: str, right: sp.Expr, domain: Domain) -> None:
+    def __init__(
+        self, left: sp.Expr, operator: str, right: sp.Expr, domain: Domain, terms: Terms | None
+    ) -> None:
         self.left, self.operator, self.right = left, operator, right
+        self.terms = terms or (term_of(left), term_of(right))
+        self.printed = difference_of(*self.terms)
         self.domain = domain
         self.difference = subtract(left, right)
         self.symbols = sorted(self.difference.free_symbols, key=str)
@@ -69,7 +85,8 @@ class _Comparison:
         self.bounded = all(sp.oo not in (-a, b) for a, b in self.box.values())
 
     def confirmed(self) -> Answer:
-        return confirmed_order(self.where_asserted(self.answer()), [self.failure], self.region)
+        answer = self.where_asserted(self.answer())
+        return confirmed_order(answer, [self.failure], self.region)
 
     def where_asserted(self, answer: Answer) -> Answer:
         """Look for another witness, or a proof, where a witness is outside of the conditions."""
@@ -84,14 +101,23 @@ class _Comparison:
         return self.by_algebra() or Undecided(ELSEWHERE, ENGINE)
 
     @property
-    def failure(self) -> tuple[sp.Expr, str]:
-        """What the difference is at a counterexample."""
-        return self.difference, FAILS[self.operator]
+    def failure(self) -> Comparison:
+        """How the printed sides stand at a counterexample."""
+        left, right = self.terms
+        return Comparison(left, FAILS[self.operator], right)
 
-    @property
+    @cached_property
     def region(self) -> Region:
         """Where z3 looks for one."""
-        return Region(self.box, self.closed, tuple(self.domain.conditions))
+        sides = self.left, self.right
+        return region_of(self.box, self.closed, self.domain.conditions, sides)
+
+    @cached_property
+    def cancelled(self) -> dict[str, Term]:
+        """Values of the symbols that are printed and cancel, so that nothing is said of them."""
+        others = symbols(self.printed).difference(symbol.name for symbol in self.symbols)
+        drawn = sample_points([sp.Symbol(name, real=True) for name in others], self.domain, count=1)
+        return {symbol.name: term_of(exact_number(x)) for symbol, x in next(drawn, {}).items()}
 
     def answer(self) -> Answer:
         if not self.symbols:
@@ -130,15 +156,15 @@ class _Comparison:
 
     def holds_at(self, point: Point) -> bool:
         """Whether the statement is true at an exact point; raises `UnsupportedError` at a pole."""
-        try:
-            # All at once: with x = 0 put in first, x/y would be 0 at y = 0, too.
-            difference = self.difference.xreplace(dict(point))
-        except TypeError:  # a condition of cases that cannot be told there
-            raise UnsupportedError("a condition has no value at a point") from None
-        found = sign(difference)
+        found = sign(self.at(self.printed, point))
         if self.operator == "\\neq":
             return found != 0
         return found == WANTED[self.operator] or (found == 0 and self.may_vanish)
+
+    def at(self, term: Term, point: Point) -> Term:
+        """Put an exact point into a printed term, all coordinates at once."""
+        values = {symbol.name: term_of(value) for symbol, value in point.items()}
+        return substitute(term, self.cancelled | values)
 
     def counterexample(self) -> Point | None:
         """Look for a point where the statement is false: 0 and 1 first, where equality hides."""
@@ -148,11 +174,12 @@ class _Comparison:
                 return point
         if self.operator == "\\neq":
             return None
-        program = compile_balls([self.difference], tuple(self.symbols))
+        names = [symbol.name for symbol in self.symbols]
+        program = compile_balls([substitute(self.printed, self.cancelled)], names)
         wrong = -WANTED[self.operator]
         for sample in sample_points(self.symbols, self.domain, count=PROBES):
             if sign_of(program.run([rational_ball(x) for x in sample.values()])[0]) == wrong:
-                return {symbol: _closed_form(str(x)) for symbol, x in sample.items()}
+                return {symbol: exact_number(x) for symbol, x in sample.items()}
         return None
 
     def is_inside(self, symbol: sp.Symbol, value: Any) -> bool:
@@ -163,7 +190,7 @@ class _Comparison:
 
     def witness(self, point: Point) -> Witness:
         """Write a point with the values of both sides, in as many digits as tell them apart."""
-        balls = [evaluate(side.subs(point)) for side in (self.left, self.right)]
+        balls = [enclose(self.at(side, point)) for side in self.terms]
         shown = [[format_ball(ball, digits) for ball in balls] for digits in (4, 8, 16, 32)]
         values = next((pair for pair in shown if pair[0] != pair[1]), shown[0])
         exact = {symbol.name: value for symbol, value in point.items()}
@@ -180,32 +207,35 @@ class _Comparison:
 
     def place(self, witness: Witness) -> Point:
         """Read the point of a witness; a symbol that does not matter to it gets any value."""
-        known = witness.exact or {name: _closed_form(t) for name, t in witness.point.items()}
+        known = witness.exact
         others = {}
         if any(symbol.name not in known for symbol in self.symbols):
             others = next(sample_points(self.symbols, self.domain, count=1), {})
         return {
-            symbol: known.get(symbol.name, _closed_form(str(others.get(symbol, 1))))
+            symbol: known.get(symbol.name, exact_number(others.get(symbol, 1)))
             for symbol in self.symbols
         }
 
     def is_evident(self) -> bool:
-        """Prove the sign from the form: sums of squares, products of positive symbols.
+        """Prove the sign from the form: of what is printed, multiplied out, or as a product.
 
-        What does not vanish by a condition is put in as a symbol that does not.
+        SymPy proposes the other forms; that they are the same is proved before they count.
         """
-        signed = WANTED.get(self.operator, 1) * (self.left - self.right)
-        divisors = {c.lhs for c in self.domain.conditions if isinstance(c, sp.Ne) and c.rhs == 0}
-        known = {part: sp.Dummy(real=True, nonzero=True) for part in divisors}
-        for form in (signed, sp.expand(signed), sp.factor(signed)):
-            given = form.xreplace(known)
-            if self.operator == "\\neq":
-                evident = given.is_nonzero
-            else:
-                evident = given.is_nonnegative if self.may_vanish else given.is_positive
-            if evident:
-                return True
-        return False
+        divisors = (c.lhs for c in self.domain.conditions if isinstance(c, sp.Ne) and c.rhs == 0)
+        apart = frozenset(map(term_of, divisors))
+        relation, assumed = self.operator, self.region.assumed
+        if is_evident(self.printed, relation, assumed, apart):
+            return True
+        forms = (form(self.left - self.right) for form in (sp.expand, sp.factor))
+        return any(
+            is_evident(form, relation, assumed, apart) and self.is_printed(form)
+            for form in map(term_of, forms)
+        )
+
+    def is_printed(self, form: Term) -> bool:
+        """Whether a form has the value of the printed difference, wherever that is defined."""
+        positive = positive_names(self.left, self.right)
+        return normal_form(self.printed, form, positive).is_zero
 
     def on_the_line(self) -> Answer:
         """Decide for one variable without bounds, on an interval that covers all its values."""
@@ -215,9 +245,8 @@ class _Comparison:
         answer = sign_on(family, WANTED[self.operator], zero=self.may_vanish)
         if not isinstance(answer, Refuted | OnBranch):
             return answer
-        (name,) = answer.witness.point
-        (own,) = family.box
-        value = place.subs(own, _closed_form(answer.witness.point[name]))
+        ((own, _),) = family.box.items()
+        value = place.subs(own, answer.witness.exact[own.name])
         point = {self.symbols[0]: value}
         if not self.meets_conditions(point):
             return Undecided(ELSEWHERE, ENGINE)
@@ -229,7 +258,7 @@ class _Comparison:
         if isinstance(found, Nowhere):
             return Proved(("z3",))
         if isinstance(found, Somewhere):
-            near = _points_near({symbol: found.point[symbol] for symbol in self.symbols})
+            near = _points_near({symbol: found.point[symbol.name] for symbol in self.symbols})
             for point in islice(near, MOST_CANDIDATES):
                 if self.is_counterexample(point):
                     return Refuted((*ENGINE, "z3"), self.witness(point))
@@ -297,7 +326,7 @@ class _Comparison:
 
     def vanishes_at(self, point: Point) -> bool:
         try:
-            return self.meets_conditions(point) and vanishes(self.difference.xreplace(dict(point)))
+            return self.meets_conditions(point) and sign(self.at(self.printed, point)) == 0
         except UnsupportedError:
             return False
 
@@ -307,7 +336,7 @@ def _is_met(condition: Relational, point: Point) -> bool:
     if difference.free_symbols:
         return True
     try:
-        return bool(condition.func(sign(difference), 0))
+        return bool(condition.func(sign(term_of(difference)), 0))
     except UnsupportedError:
         return False
 
@@ -334,12 +363,3 @@ def _compact(t: sp.Symbol, lower: Any, upper: Any) -> tuple[sp.Expr, tuple[Any, 
     if lower == -sp.oo and upper == sp.oo:
         return t / (1 - t**2), (-one, one)
     return (upper - t / (1 - t) if lower == -sp.oo else lower + t / (1 - t)), (zero, one)
-
-
-def _closed_form(text: str) -> sp.Expr:
-    """Read a coordinate of a witness: a rational number, or a rational multiple of pi."""
-    turn = _TURN.fullmatch(text)
-    if turn is None:
-        return sp.Rational(text)
-    minus, numerator, denominator = turn.groups()
-    return sp.Rational(int(minus + (numerator or "1")), int(denominator or 1)) * sp.pi

@@ -21,4 +21,4 @@ def compare(left: Term, operator: str, right: Term, domain: Domain) -> Answer:
     needed = map(converter.expression, requirements(left, right))
     within = domain_of(needed, in_sympy(domain, converter))
     sides = converter.expression(left), converter.expression(right)
-    return comparison.compare(sides[0], operator, sides[1], within)
+    return comparison.compare(sides[0], operator, sides[1], within, (left, right))

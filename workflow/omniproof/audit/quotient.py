@@ -87,7 +87,7 @@ class Quotient:
     def witness(self, point: tuple[Any, ...], printed: str, derived: str) -> Witness:
         """Show a rational or exact point, with what is said of it."""
         place = {s.name: x for s, x in zip(self.box.symbols, point, strict=True)}
-        exact = {name: x for name, x in place.items() if isinstance(x, sp.Basic)}
+        exact = {name: exact_number(x) for name, x in place.items()}
         names = {name: str(x) for name, x in place.items()}
         return Witness(names, printed, derived, exact=exact)
 

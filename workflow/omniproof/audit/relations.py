@@ -23,6 +23,8 @@ from omniproof.decide import direct
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.decide.direct import Place, Statement
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.value import Comparison
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 
@@ -38,8 +40,8 @@ _EXTREMA = {Form.MINIMUM: ">", Form.MAXIMUM: "<"}
 """How all other values stand to the best."""
 _EXTREME = {Form.LARGEST: ">", Form.SMALLEST: "<"}
 """How the best value stands to all others."""
-_FAILS = {">": "<=", "<": ">=", "\\leq": ">"}
-"""What the difference is to 0 where a link does not hold."""
+_FAILS = {">": "\\leq", "<": "\\geq", "\\leq": ">", "=": "\\neq"}
+"""How the sides stand where a link does not hold."""
 
 
 def judge(obligation: Obligation, domain: Domain = REALS) -> Answer:
@@ -105,23 +107,24 @@ def _confirmed(answer: Answer, obligation: Obligation, domain: Domain) -> Answer
     on_box = isinstance(obligation.subject, Family | Ordered)
     if is_open and not (on_box and obligation.form in {*_SIGNS, Form.CHAIN}):
         return answer
-    failures = tuple(_failures(obligation))
-    if not failures:
+    links = tuple(_links(obligation))
+    if not links:
         return answer
-    from omniproof.audit.confirm_order import confirmed_order, decided_by_algebra
-    from omniproof.audit.smt_order import Region
+    from omniproof.audit.confirm_order import confirmed_order, decided_by_algebra, region_of
 
-    ranges = getattr(obligation.subject, "box", {})
+    box = getattr(obligation.subject, "box", {})
     unique = obligation.at if obligation.form in _EXTREMA else ()
-    region = Region(ranges, closed_ends(ranges, domain), domain.conditions, unique)
+    sides = [side for left, _, right in links for side in (left, right)]
+    try:
+        failures = [
+            Comparison(term_of(left), _FAILS[sign], term_of(right)) for left, sign, right in links
+        ]
+        region = region_of(box, closed_ends(box, domain), domain.conditions, sides, unique)
+    except UnsupportedError:
+        return answer
     if is_open:
         return decided_by_algebra(failures, region) or answer
     return confirmed_order(answer, failures, region)
-
-
-def _failures(obligation: Obligation) -> Iterator[tuple[Any, str]]:
-    """Yield signs of formulas of which each alone, at one point, refutes a statement on order."""
-    return ((left - right, _FAILS[sign]) for left, sign, right in _links(obligation))
 
 
 def _links(obligation: Obligation) -> Iterator[tuple[Any, str, Any]]:

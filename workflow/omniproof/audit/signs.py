@@ -85,8 +85,9 @@ def on_face(answer: Answer, at: Mapping[sp.Symbol, Any]) -> Answer:
     """Name the whole point at which a statement fails on a face."""
     if not isinstance(answer, Refuted | OnBranch):
         return answer
-    point = {symbol.name: str(end) for symbol, end in at.items()}
-    return Refuted(ENGINE, replace(answer.witness, point=point | dict(answer.witness.point)))
+    exact = {symbol.name: end for symbol, end in at.items()} | dict(answer.witness.exact)
+    point = {name: str(end) for name, end in exact.items()} | dict(answer.witness.point)
+    return Refuted(ENGINE, replace(answer.witness, point=point, exact=exact))
 
 
 def of_number(value: sp.Expr, wanted: int, *, zero: bool = False) -> Answer:

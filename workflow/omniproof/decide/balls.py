@@ -11,7 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from itertools import repeat
 from math import isfinite
+from operator import mul
 from typing import Any, TypeAlias
 
 from flint import arb, arb_series, ctx, fmpq
@@ -171,7 +174,7 @@ class _Compiler:
                 return fold(tuple(map(self.place, term.parts)))
             case Power(base=base, exponent=exponent):
                 inside = self.place(base)
-                return lambda memory: memory[inside] ** exponent
+                return lambda memory: _power(memory[inside], exponent)
         return self.call(term)
 
     def call(self, term: Term) -> Step:
@@ -205,6 +208,15 @@ def _multiply(places: tuple[int, ...]) -> Step:
         return product
 
     return step
+
+
+def _power(base: Ball, exponent: int) -> Ball:
+    """Enclose a whole power; FLINT's own says nothing where a ball contains 0."""
+    if isinstance(base, arb_series) or not base.contains(0) or not base.is_finite():
+        return base**exponent
+    size = base if exponent % 2 else abs(base)
+    product = reduce(mul, repeat(size, abs(exponent)), arb(1))
+    return product if exponent >= 0 else 1 / product
 
 
 def _root(value: Ball) -> Ball:

@@ -19,6 +19,7 @@ from omniproof.decide.answer import Answer, DisagreementError, OnBranch, Proved,
 from omniproof.decide.balls import is_enclosed
 from omniproof.decide.domain import REALS, Domain
 from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes
+from omniproof.decide.z3.equation import Different, Equal, differ_somewhere
 from omniproof.decide.zero_test import decide_equal
 from omniproof.formula.term import Term, subtract, symbols
 
@@ -72,15 +73,11 @@ def _confirmed(answer: Proved | Refuted | OnBranch, asked: Equation, enough: int
 def _both_sides(engine: str, answer: Proved | Refuted | OnBranch, asked: Equation) -> str:
     from sympy import sstr
 
-    sides = " = ".join(map(sstr, _in_sympy(asked)))
-    return f"{engine} contradicts {'+'.join(answer.engines)} on {sides}: {answer}"
-
-
-def _in_sympy(asked: Equation) -> tuple[Any, Any]:
     from omniproof.audit.sympy_domain import converter_for
 
     converter = converter_for(asked.domain, symbols(asked.left) | symbols(asked.right))
-    return converter.expression(asked.left), converter.expression(asked.right)
+    sides = " = ".join(sstr(converter.expression(side)) for side in (asked.left, asked.right))
+    return f"{engine} contradicts {'+'.join(answer.engines)} on {sides}: {answer}"
 
 
 def _modular(answer: Answer, asked: Equation) -> Vote:
@@ -116,9 +113,7 @@ def _suffices(difference: Term, relations: Sequence[Any], positive: frozenset[st
 
 def _smt(answer: Answer, asked: Equation) -> Vote:
     """Ask z3 for a point anywhere: where a domain leaves points out, only "no point" counts."""
-    from omniproof.audit.smt import Different, Equal, differ_somewhere
-
-    match differ_somewhere(*_in_sympy(asked)), answer:
+    match differ_somewhere(asked.left, asked.right, asked.domain.signs), answer:
         case (Equal(), Proved()) | (Different(), Refuted()):
             return True
         case Equal(), _:

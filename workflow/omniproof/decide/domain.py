@@ -46,6 +46,13 @@ class Domain:
         upper = ((name, high) for name, (_, high) in self.ranges.items() if high is not None)
         return frozenset(name for name, high in upper if sign(high) <= 0)
 
+    @cached_property
+    def signs(self) -> frozenset[tuple[str, str]]:
+        """Pairs of a name and how the symbol stands to 0."""
+        signed = self.nonnegative | self.nonpositive
+        known = {"\\geq": self.nonnegative, "\\leq": self.nonpositive, "\\neq": signed}
+        return frozenset((name, sign) for sign, names in known.items() for name in names)
+
     @property
     def is_orthant(self) -> bool:
         """Whether nothing is said but that some symbols are positive."""

@@ -29,9 +29,10 @@ from omniproof.decide.answer import (
 from omniproof.decide.balls import Ball, Program, compile_balls, format_ball, rational_ball
 from omniproof.decide.domain import REALS, Domain
 from omniproof.decide.normal_form.form import NormalForm, normal_form
+from omniproof.decide.normal_form.recurring import vanishes_in_parts
 from omniproof.decide.normal_form.survey import is_radical
 from omniproof.decide.sampling import REACH, Sample, sample_points
-from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.errors import UnsupportedError, WorkLimitError
 from omniproof.formula.monomials import expand
 from omniproof.formula.term import Term, symbols, walk
 from omniproof.formula.where_defined import radicands
@@ -125,13 +126,22 @@ class _Question:
             return self.answer_with_branches()
         probe = next((probe for probe in self.probes(FIRST_LOOK) if probe.defined), None)
         if probe is None or not probe.differs:
-            if self.form().is_zero:
+            if self.is_zero():
                 return self.proved([probe] if probe else [])
             again = self.probes(SECOND_LOOK, HIGH)
             probe = next((probe for probe in again if probe.differs), None)
         if probe is None:
             return Undecided("it is no identity, but no point shows a difference", ENGINE)
         return Refuted(ENGINE, probe.witness())
+
+    def is_zero(self) -> bool:
+        """Ask the normal form; where that grows too large, with symbols for parts that recur."""
+        try:
+            return self.form().is_zero
+        except WorkLimitError:
+            if vanishes_in_parts(*self.terms):
+                return True
+            raise
 
     def answer_with_branches(self) -> Answer:
         probes = [probe for probe in self.probes(BRANCH_LOOK) if probe.defined]

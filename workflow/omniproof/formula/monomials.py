@@ -7,7 +7,7 @@ from fractions import Fraction
 from functools import reduce
 
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.term import Number, Power, Product, Sum, Term
+from omniproof.formula.term import ZERO, Number, Power, Product, Sum, Term, add, multiply
 
 Monomial = frozenset[tuple[Term, int]]
 """Powers of what is neither a sum nor a product; without any, the monomial of a number."""
@@ -40,6 +40,15 @@ def is_plainly_zero(term: Term) -> bool:
         return not expand(term)
     except UnsupportedError:
         return False
+
+
+def joined(found: Expanded) -> Term:
+    """Return what was multiplied out as a term again."""
+    products = (
+        multiply(Number(factor), *(Power(part, count) for part, count in monomial))
+        for monomial, factor in found.items()
+    )
+    return add(*products) if found else ZERO
 
 
 def _power(term: Power, base: Expanded, exponent: int) -> Expanded:

@@ -42,6 +42,7 @@ NAMES: dict[Any, str] = {function: name for name, function in SYMPY_FUNCTIONS.it
 COMPARE: dict[str, Callable[..., Any]] = {
     "=": sp.Eq, "<": sp.Lt, ">": sp.Gt, "\\leq": sp.Le, "\\geq": sp.Ge, "\\neq": sp.Ne,
 }  # fmt: skip
+_OPERATORS = {relation: operator for operator, relation in COMPARE.items()}
 JOIN: dict[str, Callable[..., Any]] = {"and": sp.And, "or": sp.Or, "equivalent": sp.Equivalent}
 
 
@@ -109,10 +110,35 @@ def _call(node: Any) -> Term:
     return applied(name, tuple(map(_term, node.args)))
 
 
+def comparison_of(relation: Any) -> Comparison:
+    """Return a relation of SymPy as a comparison of terms; raises `UnsupportedError`."""
+    return Comparison(term_of(relation.lhs), _OPERATORS[relation.func], term_of(relation.rhs))
+
+
+def end_of(end: Any) -> Term | None:
+    """Return the end of a range as a term; None for infinity."""
+    end = sp.sympify(end)
+    return None if end.is_infinite else term_of(end)
+
+
 def positive_names(*expressions: Any) -> frozenset[str]:
     """Return the names of the symbols that SymPy assumes not to be negative."""
     found = set().union(*(expression.free_symbols for expression in expressions))
     return frozenset(symbol.name for symbol in found if symbol.is_nonnegative)
+
+
+def assumed_signs(*expressions: Any) -> frozenset[tuple[str, str]]:
+    """Return what SymPy assumes of symbols: pairs of a name and how it stands to 0."""
+    found = set().union(*(expression.free_symbols for expression in expressions))
+    return frozenset(
+        (symbol.name, relation)
+        for symbol in found
+        for assumption, relation in _SIGNS.items()
+        if getattr(symbol, assumption)
+    )
+
+
+_SIGNS = {"is_nonnegative": "\\geq", "is_nonpositive": "\\leq", "is_nonzero": "\\neq"}
 
 
 def _refusal(node: Any) -> str:

@@ -12,13 +12,14 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from omniproof.audit.ledger import Ledger, read_json, schema
 from omniproof.recovery import list_files
 from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
+from omniproof.report.search_index import claims_script
 from omniproof.report.theme import stylesheet
 
 DATA = (
@@ -39,11 +40,12 @@ def read_ledgers(results: Path) -> tuple[Ledger, ...]:
     return tuple(read_json(path) for path in sorted((results / "ledger").glob("*.json")))
 
 
-def stage(book: Path, results: Path, source: Path) -> None:
+def stage(book: Path, results: Path, papers: Path, source: Path) -> None:
     """Lay the book's pages, the executed notebooks and the data into a fresh folder `source`.
 
     book: folder with `_config.yml`, `_toc.yml` and the front matter; results: with `ledger/`,
-    `notebooks/`, `figures/` and `tables/`. Raises `BookError` when nothing was executed.
+    `notebooks/`, `figures/` and `tables/`; papers: what they print. Raises `BookError` when nothing
+    was executed.
     """
     notebooks = sorted((results / "notebooks").glob("*.ipynb"))
     if not notebooks:
@@ -52,13 +54,16 @@ def stage(book: Path, results: Path, source: Path) -> None:
     shutil.copytree(book, source, ignore=shutil.ignore_patterns("_build", "__pycache__"))
     for notebook in notebooks:
         shutil.copyfile(notebook, source / notebook.name)
-    (source / "_static" / "verdicts.css").write_text(stylesheet(), encoding="utf-8")
-    _stage_data(results, source / "extra")
+    ledgers = read_ledgers(results)
+    static = {"verdicts.css": stylesheet(), "search-claims.js": claims_script(ledgers, papers)}
+    for name, text in static.items():
+        (source / "_static" / name).write_text(text, encoding="utf-8")
+    _stage_data(results, ledgers, source / "extra")
     for bibliography in sorted(book.glob("*.bib")):
         shutil.copyfile(bibliography, source / "extra" / bibliography.name)
 
 
-def _stage_data(results: Path, extra: Path) -> None:
+def _stage_data(results: Path, ledgers: Sequence[Ledger], extra: Path) -> None:
     """Copy what the site offers for download, and write the findings and the code."""
     extra.mkdir()
     for name in DATA:
@@ -67,7 +72,6 @@ def _stage_data(results: Path, extra: Path) -> None:
             shutil.copytree(origin, extra / name)
         elif origin.is_file():
             shutil.copyfile(origin, extra / name)
-    ledgers = read_ledgers(results)
     texts = {
         "findings.csv": findings_csv(ledgers),
         "findings.json": findings_json(ledgers),

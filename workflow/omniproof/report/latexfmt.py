@@ -127,6 +127,7 @@ _SIGNS = {
     r"\\leq?(?![a-z])": "≤",
     r"\\geq?(?![a-z])": "≥",
     r"\\neq?(?![a-z])": "≠",
+    r"\\int(?:\\limits)?(?![a-z])": "∫",
     r"\\pm(?![a-z])": "±",
     r"\\cdot(?![a-z])": "·",
     r"\\times(?![a-z])": "×",
@@ -142,6 +143,13 @@ _SIGNS = {
     r"&": "",
     r"\\[{]": "{",
     r"\\[}]": "}",
+}
+_ACCENTS = {
+    "dot": "\u0307",
+    "hat": "\u0302",
+    "tilde": "\u0303",
+    "widetilde": "\u0303",
+    "bar": "\u0304",
 }
 _SUPERSCRIPT = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
 _SUBSCRIPT = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -173,10 +181,11 @@ def _flatten(text: str) -> str:
     text = re.sub(rf"\\[dt]?frac\s*{_ARGUMENT}\s*{_ARGUMENT}", _fraction, text)
     text = re.sub(rf"\\sqrt\s*{_ARGUMENT}", lambda m: "√" + _grouped(m[1]), text)
     text = re.sub(
-        rf"\\(?:text|mathrm|mathbf|mathit|operatorname|widetilde|tilde|hat|dot|overline)\s*{_ARGUMENT}",
+        rf"\\(?:text|mathrm|mathbf|mathit|mathbb|mathcal|boldsymbol|operatorname|overline)\s*{_ARGUMENT}",
         r"\1",
         text,
     )
+    text = re.sub(rf"\\({'|'.join(_ACCENTS)})\s*{_ARGUMENT}", lambda m: m[2] + _ACCENTS[m[1]], text)
     text = re.sub(r"\^\{?([0-9+-]+)\}?", lambda m: m[1].translate(_SUPERSCRIPT), text)
     text = re.sub(r"_(?:\{([\d,]+)\}|(\d))", lambda m: (m[1] or m[2]).translate(_SUBSCRIPT), text)
     return re.sub(rf"([_^]){_ARGUMENT}", r"\1\2", text)

@@ -1,0 +1,1 @@
+"""Order between terms: what shows in their form, and what balls prove."""
