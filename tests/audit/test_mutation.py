@@ -16,6 +16,8 @@ from omniproof.audit.sympy_digits import known_value
 from omniproof.decide import digits
 from omniproof.decide.answer import Proved, Refuted
 from omniproof.formula.evaluation import evaluate
+from omniproof.repair.kinds import Edit, Repair
+from omniproof.repair.misprint import Mended
 from omniproof.transcription.model import Notation
 from omniproof.transcription.reader import read
 
@@ -248,10 +250,9 @@ def test_a_wrong_engine_is_caught(one_case, monkeypatch, misprint, answer, fate)
 
 
 def test_a_wrong_repair_is_caught(one_case, monkeypatch):
-    wrong = SimpleNamespace(
-        text=r"\sin(\alpha_1 - \alpha_2)", grade=SimpleNamespace(name="EXPLAINED")
-    )
-    monkeypatch.setattr(mutation, "mend", lambda *_: wrong)
+    text = r"\sin(\alpha_1 - \alpha_2)"
+    wrong = Mended((Repair(Edit.SIGN, (0, len(text)), "", text),), 1)
+    monkeypatch.setattr(mutation, "mend_claim", lambda *_: wrong)
     assert one_case(r"\sin(\alpha_1 + \alpha_3)").fate is Fate.MISREPAIRED
 
 

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 from mpmath import mp
 
-from omniproof.audit import approximate, counterexample, enclosure
+from omniproof.audit import counterexample, enclosure
 from omniproof.audit.check import Finding, check
 from omniproof.audit.sympy_digits import known_value
 from omniproof.decide import balls, digits
@@ -31,6 +31,7 @@ from omniproof.formula.functions import (
 )
 from omniproof.formula.sympy_terms import SYMPY_FUNCTIONS, Converter
 from omniproof.formula.term import Number, Symbol, Term
+from omniproof.repair import values
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import read
@@ -45,7 +46,7 @@ ENGINES: dict[str, tuple[Collection[str], Mapping[str, str]]] = {
     ),
     "decide.prime_fields": (CIRCULAR | ANGLES.keys() | parts.SIGNED, parts.LACKING | DEFINED),
     "decide.digits": (digits.FUNCTIONS, {}),
-    "audit.approximate": (approximate.FUNCTIONS, {}),
+    "repair.values": (values.FUNCTIONS, {}),
     "audit.enclosure": (enclosure.FUNCTIONS, {}),
     "audit.counterexample": (counterexample.FUNCTIONS, counterexample.LACKING),
 }
@@ -98,7 +99,7 @@ def test_engines_that_evaluate_agree(row: Elementary) -> None:
     expected = rule(*(mp.mpf(x.numerator) / x.denominator for x in POINTS[: row.arguments]))
     lower, upper = enclosure.enclose(SYMPY_FUNCTIONS[row.name](*arguments)) or (0, 0)
     assert float(lower) == pytest.approx(float(expected)) == float(upper)
-    found = approximate.FUNCTIONS[row.name](*map(float, POINTS[: row.arguments]))
+    found = values.FUNCTIONS[row.name](*map(float, POINTS[: row.arguments]))
     assert found == pytest.approx(float(expected))
     term = applied(row.name, [Number(x) for x in POINTS[: row.arguments]])
     assert float(enclose(term).mid()) == pytest.approx(float(expected))

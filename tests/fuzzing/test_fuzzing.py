@@ -22,14 +22,16 @@ from hypothesis import strategies as st
 from mpmath import mp
 from sympy import Symbol
 
-from omniproof.audit.approximate import Values, at_points
 from omniproof.audit.mutants import Spelled, mutants
-from omniproof.audit.repair import QuickLook, Repair, repair, repair_twice
 from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide import digits
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
+from omniproof.repair.kinds import Repair
+from omniproof.repair.mend import mend
+from omniproof.repair.misprint import Misprint
+from omniproof.repair.values import Values, at_points
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import read
@@ -211,28 +213,25 @@ def test_any_two_formulas_are_judged_rightly() -> None:
 
 
 # Repair ------------------------------------------------------------------------------------------
-def quick_look(target: Any) -> QuickLook | None:
+def mended(printed: str, target: Any) -> tuple[Repair, ...]:
+    """Repair as the audit does: by one edit, or else by two."""
+
+    def proved(edited: str) -> tuple[str, ...]:
+        try:
+            answer = confirmed_equal(value_of(edited), target)
+        except (LatexError, TypeError):
+            return ()
+        return answer.engines if isinstance(answer, Proved) else ()
+
     def meaning(symbol: tree.Symbolic) -> Values:
         return at_points(MEANINGS[symbol.name])
 
     try:
-        return QuickLook(read, meaning, at_points(target))
+        values = at_points(target)
     except UnsupportedError:
-        return None
-
-
-def mended(printed: str, target: Any) -> tuple[Repair, ...]:
-    """Repair as the audit does: by one edit, or else by two."""
-
-    def is_true(edited: str) -> bool:
-        try:
-            return isinstance(confirmed_equal(value_of(edited), target), Proved)
-        except (LatexError, TypeError):
-            return False
-
-    quick = quick_look(target)
-    found = repair(printed, is_true, SYMBOLS, quick)
-    return found or (repair_twice(printed, is_true, SYMBOLS, quick) if quick else ())
+        return ()
+    found = mend(Misprint(printed, read, read, proved, meaning, values, words=tuple(SYMBOLS)))
+    return found.repairs if found else ()
 
 
 def planted(text: str, chance: Random, count: int) -> str:

@@ -7,9 +7,9 @@ import json
 import pytest
 
 from omniproof.audit.check import CheckResult, Finding
-from omniproof.audit.repair import Edit, Repair
 from omniproof.decide.answer import Witness
 from omniproof.door import Said, say
+from omniproof.repair.kinds import Edit, Repair
 from omniproof.report.check_text import COLOURS, check_json, check_text
 
 SINE = r"\sin 2\theta = \sin\theta\cos\theta"

@@ -7,7 +7,6 @@ evaluated as code.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -26,22 +25,11 @@ from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.unfold import unfold
 from omniproof.transcription import tree
 from omniproof.transcription.printer import latex
-from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError, tokenize
+from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError
 
 if TYPE_CHECKING:
-    from omniproof.audit.repair import Repair
+    from omniproof.repair.kinds import Repair
     from omniproof.transcription.parses import Parse
-
-FOR_PAPERS = (
-    (r"declare `[^`]*` with `role: quantity`, or ", ""),
-    (r"declare (?:the symbol )?`[^`]*`, or ", ""),
-    (r"`slash: (first|all)`", r"`--slash \1`"),
-    (r" in the notation$", ""),
-    (r", or say it in `says`$", ""),
-    (r" (?:in|as) (?:a claim of its|claims of their) own$", " alone"),
-    (r" into several claims$", ""),
-)
-"""What cures say of paper files, and what they say of a formula that stands alone."""
 
 
 class Finding(StrEnum):
@@ -75,8 +63,6 @@ class CheckResult:
 
 SHOWN = 3
 """So many further repairs are named."""
-MOST_TOKENS = 200
-"""Edits are tried on formulas up to this length, in about a second."""
 SEVERITY = (Refuted, Undecided, OnBranch, Proved)
 """Of several answers, the first kind of these is the answer on the whole statement."""
 
@@ -128,7 +114,7 @@ def _answered(printed: str, work: Callable[[], CheckResult]) -> CheckResult:
     try:
         return work()
     except LatexError as error:
-        return CheckResult(Finding.INVALID, _short(printed), message=_fault(error))
+        return CheckResult(Finding.INVALID, _short(printed), message=error.alone)
     except UnsupportedError as reason:
         return CheckResult(Finding.UNDECIDED, printed, message=f"not decided: {reason}")
     except RecursionError:
@@ -138,13 +124,23 @@ def _answered(printed: str, work: Callable[[], CheckResult]) -> CheckResult:
 
 def _judge(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckResult:
     """Judge one reading of a statement."""
-    return _answered(printed, partial(_decided, printed, assumptions, node))
+
+    def work() -> CheckResult:
+        return _decided(printed, assumptions, node, settle(node, assumptions))
+
+    return _answered(printed, work)
 
 
-def _decided(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckResult:
+def _decided(
+    printed: str,
+    assumptions: Assumptions,
+    node: tree.Node,
+    setting: Setting,
+    enough: int | None = 1,
+) -> CheckResult:
+    """Decide a statement; one confirmation is enough, since a refutation has its witness."""
     refuse_mixed_differences(node, printed)
     found = definitions(node)
-    setting = settle(node, assumptions)
     defined = ", ".join(f"`{latex(symbol)}`" for symbol in found.defined)
     if found.rest is None:
         message = f"a definition of {defined}: nothing to prove"
@@ -152,7 +148,7 @@ def _decided(printed: str, assumptions: Assumptions, node: tree.Node) -> CheckRe
     refuse_unclear(found.rest, printed, assumptions.functions)
     value = cache(partial(unfold, meanings=setting.letters, source=printed))
     steps = links(found.rest, value, printed)
-    result = _result(printed, steps, [_decide(step, setting) for step in steps])
+    result = _result(printed, steps, [_decide(step, setting, enough) for step in steps])
     if result.verdict is Finding.ERRATUM and found.sought:
         sought = ", ".join(f"`{latex(symbol)}`" for symbol in found.sought)
         message = f"not decided: it defines {sought}, or is an equation for them"
@@ -211,27 +207,36 @@ def _short_functions(node: tree.Node) -> dict[str, str]:
 
 
 def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> CheckResult:
-    """Add the repairs of a false equation; the further ones are named in the message."""
+    """Add the repairs of a false statement; the further ones are named in the message."""
     refuse_if_false(node, result.printed)
-    if any(isinstance(item, tree.Comparison) for item in tree.walk(node)):
-        return result
-    if len(tokenize(result.printed)) > MOST_TOKENS:
-        message = f"{result.message}; too long a formula to look for a repair"
-        return replace(result, message=message)
     from omniproof.audit.remedies import remedies
 
-    repairs = remedies(result.printed, node, assumptions, settle(node, assumptions))
-    others = [f"`{edit.text}`" for edit in repairs[1 : 1 + SHOWN]]
-    left_out = len(repairs) - 1 - len(others)
+    setting = settle(node, assumptions)
+
+    def proved(text: str) -> tuple[str, ...]:
+        """Name the engines that prove an edited statement: all are asked, as of a paper's."""
+
+        def work() -> CheckResult:
+            return _decided(text, assumptions, assumptions.read(text), setting, enough=None)
+
+        found = _answered(text, work)
+        return found.engines if found.verdict is Finding.VERIFIED else ()
+
+    mended = remedies(result.printed, assumptions, setting, proved, result.witness)
+    if mended is None:
+        return result
+    others = [f"`{edit.text}`" for edit in mended.repairs[1 : 1 + SHOWN]]
+    left_out = len(mended.repairs) - 1 - len(others)
     more = [f"and {left_out} more"] if left_out > 0 else []
-    also = f"; another single edit gives {', '.join(others + more)}" if others else ""
-    return replace(result, repairs=repairs, message=result.message + also)
+    size = "another single edit" if mended.size == 1 else "another pair of edits"
+    also = f"; {size} gives {', '.join(others + more)}" if others else ""
+    return replace(result, repairs=mended.repairs, message=result.message + also)
 
 
-def _decide(part: Link, setting: Setting) -> Answer:
+def _decide(part: Link, setting: Setting, enough: int | None) -> Answer:
     """Decide one link, and hear direct evaluation about it."""
     if part.operator == "=":
-        answer = confirmed_equal(part.left, part.right, setting.domain, enough=1)
+        answer = confirmed_equal(part.left, part.right, setting.domain, enough=enough)
     else:
         from omniproof.audit.order import compare
 
@@ -267,12 +272,6 @@ def _result(printed: str, steps: Sequence[Link], answers: Sequence[Answer]) -> C
 
 def _sentence(opening: str, place: str, note: str) -> str:
     return ": ".join(filter(None, [f"{opening} in {place}" if place else opening, note]))
-
-
-def _fault(error: LatexError) -> str:
-    for pattern, text in FOR_PAPERS:
-        error.cure = re.sub(pattern, text, error.cure)
-    return str(error)
 
 
 def _short(text: str) -> str:

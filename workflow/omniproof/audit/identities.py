@@ -9,25 +9,23 @@ from typing import Any
 from sympy import MatrixBase
 
 from omniproof.audit.context import Context, entries, flat
-from omniproof.audit.evidence import Rival
 from omniproof.audit.ledger import Repair, Row, Verdict
-from omniproof.audit.mending import Mended, mend
+from omniproof.audit.mending import mend_claim, repaired
 from omniproof.audit.own_text import same_by_name
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
+from omniproof.audit.sympy_equality import equal_to_derived
 from omniproof.audit.voice import Voice
-from omniproof.decide.answer import Answer, DisagreementError, Proved, Refuted, Undecided
-from omniproof.decide.confirm import confirmed_equal
+from omniproof.decide.answer import Answer, DisagreementError, Proved, Refuted
 from omniproof.decide.domain import REALS, Domain
-from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, multiply
-from omniproof.formula.value import Value, kind
+from omniproof.formula.value import Value
 from omniproof.registry import Modelled
+from omniproof.repair.misprint import Mended
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim
 from omniproof.transcription.parses import Parse, parses
-from omniproof.transcription.reader import read_with
 from omniproof.transcription.tokens import LatexError
 from omniproof.transcription.tree import Node, Span
 
@@ -118,11 +116,8 @@ def _judge_cell(cell: Cell, claim: Claim, context: Context, voice: Voice) -> Row
         fields = {"verdict": Verdict.MODEL_GAP, "repair": Repair.MANUAL}
         row = row.model_copy(update={"correction": row.derived, "assumption": cell.gap, **fields})
         return with_note(row, "It follows from a premise that mechanics contradicts")
-    mended = _mend(cell, place, claim.id, context, voice)
-    if mended:
-        rivals = tuple(Rival(correction=text) for text in mended.others)
-        update = {"correction": mended.text, "repair": mended.grade, "rivals": rivals}
-        return row.model_copy(update=update)
+    if mended := _mend(cell, place, voice):
+        return repaired(row, mended)
     return row.model_copy(update={"correction": row.derived, "repair": Repair.MANUAL})
 
 
@@ -167,21 +162,11 @@ def _compare(cell: Cell) -> tuple[Answer, int]:
     """Hold each side against what is derived; the answer on the first that fails, and its place."""
     engines: tuple[str, ...] = ()
     for place, side in enumerate(cell.sides):
-        answer = _equal(side, cell.derived, cell.domain)
+        answer = equal_to_derived(side, cell.derived, cell.domain)
         if not isinstance(answer, Proved):
             return answer, place
         engines = merge(engines, answer.engines)
     return Proved(engines), 0
-
-
-def _equal(side: Value, derived: Any, domain: Domain) -> Answer:
-    """Compare a printed side with a derived expression."""
-    if not isinstance(side, Term):
-        return Undecided(f"it is {kind(side)}, and no number")
-    try:
-        return confirmed_equal(side, term_of(derived), domain)
-    except UnsupportedError as reason:
-        return Undecided(str(reason))
 
 
 def _follows_from_premises(cell: Cell) -> bool:
@@ -190,17 +175,13 @@ def _follows_from_premises(cell: Cell) -> bool:
         return False
     implied = cell.derived, cell.premises
     return all(
-        any(isinstance(_equal(side, each, cell.domain), Proved) for each in implied)
+        any(isinstance(equal_to_derived(side, each, cell.domain), Proved) for each in implied)
         for side in cell.sides
     )
 
 
-def _mend(cell: Cell, place: int, claim: str, context: Context, voice: Voice) -> Mended | None:
+def _mend(cell: Cell, place: int, voice: Voice) -> Mended | None:
     """Return the printed text with the least edit that makes the side at `place` true, if any."""
     begin, end = cell.places[place]
-    found = mend(cell.text[begin:end], cell.derived, claim, context, cell.factor)
-    if found is None:
-        return None
-    corrected = read_with(found.text, context.loaded.paper.notation, context.names)
-    voice.equal(Proved(("flint",)), corrected, (), cell.derived / cell.factor)
-    return found.inside(cell.text[:begin], cell.text[end:])
+    found = mend_claim(cell.text[begin:end], cell.derived, voice, cell.factor)
+    return found.inside(cell.text[:begin], cell.text[end:]) if found else None

@@ -15,6 +15,7 @@ from omniproof.audit.evidence import Counterexample
 from omniproof.audit.fits import judge_fit
 from omniproof.audit.identities import judge_identity
 from omniproof.audit.ledger import Origin, Repair, Row, Verdict
+from omniproof.audit.mending import mend_relation, repaired
 from omniproof.audit.relations import judge, merge
 from omniproof.audit.rows import answered, start, with_note
 from omniproof.audit.sign_cases import equivalent
@@ -118,6 +119,8 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
     row = answered(start(claim, context), answer, context)
     if not isinstance(answer, Refuted):
         return _for_all(row, claim)
+    if not (relation.condition or relation.correction):
+        return _mended_by_edits(row, claim, relation, context)
     row = _for_all(_mended(row, relation, answer.engines), claim)
     if relation.premises is None or row.verdict is not Verdict.ERRATUM:
         return row
@@ -130,8 +133,6 @@ def _judge_relation(claim: Claim, context: Context) -> Row:
 
 def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
     """Say what holds instead of a false relation: a proved correction, or a condition."""
-    if not (relation.condition or relation.correction):
-        return _undecided(row, "false as it stands; its derivation does not say what holds instead")
     for obligation in relation.proof:
         # The correction is ours: it is believed no more than what is printed, and proved as well.
         proof = judge(obligation)
@@ -143,6 +144,20 @@ def _mended(row: Row, relation: Relation, engines: tuple[str, ...]) -> Row:
     else:
         fields = {"correction": relation.correction, "repair": Repair.MANUAL}
     return row.model_copy(update={"engines": "+".join(engines), **fields})
+
+
+def _mended_by_edits(row: Row, claim: Claim, relation: Relation, context: Context) -> Row:
+    """Mend a printed relation whose derivation does not say what holds instead."""
+
+    def proved(tree: Node) -> tuple[str, ...]:
+        answer = _judge_printed(claim, relation.subject, context, tree)
+        return answer.engines if isinstance(answer, Proved) else ()
+
+    if _is_printed(claim, relation, context):
+        box = getattr(relation.subject, "box", {})
+        if found := mend_relation(claim, proved, box, context):
+            return repaired(row, found)
+    return _undecided(row, "false as it stands; its derivation does not say what holds instead")
 
 
 def _for_all(row: Row, claim: Claim) -> Row:
@@ -161,24 +176,33 @@ def _undecided(row: Row, reason: str) -> Row:
 
 def _judge_form(claim: Claim, relation: Relation, context: Context) -> Answer:
     assert claim.asserts is not None
-    form, subject, tree = claim.asserts.form, relation.subject, context.loaded.trees.get(claim.id)
-    if form in {Form.EQUIVALENT, Form.INSTANCE} or (isinstance(subject, Ordered) and tree):
-        return _judge_printed(claim, subject, context)
+    form, subject = claim.asserts.form, relation.subject
+    if _is_printed(claim, relation, context):
+        return _judge_printed(claim, subject, context, context.loaded.trees[claim.id])
     at = tuple(_point(node, context) for node in context.loaded.points.get(claim.id, ()))
     obligation = Obligation(form, subject, at, claim.asserts.member)
     return judge(obligation, context.domain(claim.id))
 
 
-def _judge_printed(claim: Claim, subject: Subject, context: Context) -> Answer:
+def _is_printed(claim: Claim, relation: Relation, context: Context) -> bool:
+    """Whether what is printed takes part in a relation, and not only what is derived."""
+    assert claim.asserts is not None
+    if claim.asserts.form in {Form.EQUIVALENT, Form.INSTANCE}:
+        return True
+    return isinstance(relation.subject, Ordered) and claim.id in context.loaded.trees
+
+
+def _judge_printed(claim: Claim, subject: Subject, context: Context, tree: Node) -> Answer:
     """Judge what is printed itself, and ask direct evaluation of it."""
     assert claim.asserts is not None
-    form, tree = claim.asserts.form, context.loaded.trees[claim.id]
+    form = claim.asserts.form
     voice, assumed = Voice(claim.id, context), context.assumed(claim.id)
     if form is Form.EQUIVALENT:
-        answer = equivalent(context.evaluate(claim.id), subject, assumed)
+        answer = equivalent(context.evaluate(claim.id, tree), subject, assumed)
         return voice.equivalent(answer, tree, subject)
     if form is Form.INSTANCE:
-        answer = instance(tuple(context.evaluate(claim.id)), subject, voice.domain, assumed)
+        angles = tuple(context.evaluate(claim.id, tree))
+        answer = instance(angles, subject, voice.domain, assumed)
         return voice.instance(answer, tree, subject)
     nodes = _ascending(tree)
     if not nodes:

@@ -2,93 +2,127 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable
 from functools import cache, lru_cache
 from typing import Any
 
 from sympy import MatrixBase
 
-from omniproof.audit.approximate import Values, at_points
-from omniproof.audit.context import Context
+from omniproof.audit.context import Context, entries
+from omniproof.audit.evidence import Rival
+from omniproof.audit.hypotheses import with_box
 from omniproof.audit.ledger import Repair as Grade
-from omniproof.audit.likeness import likeness
-from omniproof.audit.repair import QuickLook, Repair, repair, repair_twice
-from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.sympy_equality import confirmed_equal
+from omniproof.audit.ledger import Row
+from omniproof.audit.relations import merge
+from omniproof.audit.sympy_equality import equal_to_derived
+from omniproof.audit.voice import Box, Voice
 from omniproof.decide.answer import Proved
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
-from omniproof.transcription.model import Role
+from omniproof.repair.mend import mend
+from omniproof.repair.misprint import Mended, Misprint
+from omniproof.repair.values import UNTOLD, Values, at_points
+from omniproof.transcription.model import Claim, Form, Role
 from omniproof.transcription.reader import read_with
+from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
-from omniproof.transcription.tree import Node, Symbolic
+from omniproof.transcription.tree import Node, Symbolic, names
 
 at_points_once = lru_cache(maxsize=1_000)(at_points)
 
 
-@dataclass(frozen=True)
-class Mended:
-    """A text that is true after one edit (explained) or two (possible), and what else would be.
-
-    `others` have as few edits, and are not the same formula in another spelling.
-    """
-
-    text: str
-    grade: Grade
-    others: tuple[str, ...] = ()
-
-    def inside(self, before: str, after: str) -> Mended:
-        """Put the texts into the line that they stand in."""
-        whole = (before + text + after for text in (self.text, *self.others))
-        first, *others = whole
-        return Mended(first, self.grade, tuple(others))
-
-
-def mend(text: str, derived: Any, claim: str, context: Context, factor: Any = 1) -> Mended | None:
+def mend_claim(text: str, derived: Any, voice: Voice, factor: Any = 1) -> Mended | None:
     """Return the least edit of a false text that makes it, times a factor, what is derived.
 
-    `derived` is an expression or a matrix; `None` where no edit, and no two, are found.
+    `derived` is an expression or a matrix, `voice` is asked about each repair of its claim; `None`
+    where no edit, and no two, are found.
     """
-    domain = context.domain(claim)
-
-    def is_true(edited: str) -> bool:
-        try:
-            return equal(context.value(edited, claim) * factor, derived, domain)
-        except (LatexError, TypeError, AttributeError):
-            return False
-
-    # A symbol that the truth does not contain is never put in: a third of the edits, or fewer.
-    needed = {symbol.name for symbol in (derived / factor).free_symbols}
-    symbols = [s for s in context.loaded.paper.symbols if s.name in needed]
-    words = [symbol.latex for symbol in symbols if symbol.role is Role.VARIABLE]
-    quick = _quick_look(derived / factor, claim, context)
-    found = repair(text, is_true, words, quick)
-    if found:
-        return _mended(found, Grade.EXPLAINED, context)
-    found = repair_twice(text, is_true, words, quick) if quick else ()
-    return _mended(found, Grade.POSSIBLE, context) if found else None
-
-
-def equal(printed: Any, derived: Any, domain: Domain = REALS) -> bool:
-    """Whether two expressions, or two matrices entry by entry, are proved equal."""
-    if not isinstance(derived, MatrixBase):
-        return isinstance(confirmed_equal(printed, derived, domain), Proved)
-    if getattr(printed, "shape", None) != derived.shape:
-        return False
-    return all(equal(*pair, domain) for pair in zip(printed, derived, strict=True))
-
-
-def _quick_look(target: Any, claim: str, context: Context) -> QuickLook | None:
-    """Prepare the quick look; there is none at what balls cannot evaluate."""
+    claim, context = voice.claim, voice.context
+    target = derived / factor
     try:
         values = at_points(target)
     except UnsupportedError:
         return None
+    read, meaning = _reading(claim, context)
+    # A symbol that the truth does not contain is never put in: a third of the edits, or fewer.
+    needed = {symbol.name for symbol in target.free_symbols}
     symbols = context.loaded.paper.symbols
-    relatives = (symbol.latex for symbol in symbols if symbol.role is Role.QUANTITY)
-    known = (symbol.latex for symbol in symbols)
-    return QuickLook(*_reading(claim, context), values, tuple(relatives), tuple(known))
+    variables = (s for s in symbols if s.role is Role.VARIABLE and s.name in needed)
+    printed = [latex for each in context.claims.values() for latex in each.latex]
+    misprint = Misprint(
+        text,
+        judged=read,
+        read=read,
+        proved=lambda edited: _proved(read(edited), derived, voice, factor),
+        meaning=meaning,
+        target=values,
+        words=tuple(symbol.latex for symbol in variables),
+        relatives=tuple(s.latex for s in symbols if s.role is Role.QUANTITY),
+        known=tuple(symbol.latex for symbol in symbols),
+        familiar=lambda edited: any(edited in latex for latex in printed),
+    )
+    return mend(misprint)
+
+
+def mend_relation(
+    claim: Claim, proved: Callable[[Node], tuple[str, ...]], box: Box, context: Context
+) -> Mended | None:
+    """Return the least edit of a printed relation that makes it true, on the box of its subject.
+
+    `proved` names the engines that prove another printed tree. A chain ought to hold at all points;
+    what a condition or a set of angles ought to be is told by no number.
+    """
+    assert claim.asserts is not None
+    text, is_chain = context.printed(claim.id), claim.asserts.form is Form.CHAIN
+    read, _ = _reading(claim.id, context)
+    domain = with_box(context.domain(claim.id), box)
+
+    def meaning(node: Symbolic) -> Values:
+        try:
+            return at_points(evaluate(node, context.meanings_at(claim.id, node)), domain)
+        except (UnsupportedError, AttributeError, LatexError):
+            raise KeyError(node.name) from None
+
+    def proved_text(edited: str) -> tuple[str, ...]:
+        try:
+            return proved(read(edited))
+        except (LatexError, TypeError, UnsupportedError):
+            return ()
+
+    own = names(context.loaded.trees[claim.id])
+    words = tuple(s.latex for s in context.loaded.paper.symbols if symbol_name(s.latex) in own)
+    target = None if is_chain else UNTOLD
+    return mend(Misprint(text, read, read, proved_text, meaning, target, words))
+
+
+def repaired(row: Row, mended: Mended) -> Row:
+    """Add the correction to a row, and its rivals: other edits that are as small."""
+    first, *others = (edit.text for edit in mended.repairs)
+    grade = Grade.EXPLAINED if mended.size == 1 else Grade.POSSIBLE
+    rivals = tuple(Rival(correction=text) for text in others)
+    return row.model_copy(update={"correction": first, "repair": grade, "rivals": rivals})
+
+
+def _proved(node: Node, derived: Any, voice: Voice, factor: Any) -> tuple[str, ...]:
+    """Name the engines that prove an edited text, times a factor, to be what is derived."""
+    claim, context = voice.claim, voice.context
+    try:
+        value = context.unfolded(claim, node)
+        if getattr(value, "shape", ()) != getattr(derived, "shape", ()):
+            return ()
+        engines: tuple[str, ...] = ()
+        domain = context.domain_in_terms(claim, derived)
+        wanted = entries(derived) if isinstance(derived, MatrixBase) else {(): derived}
+        for index, right in wanted.items():
+            own = value.at(*index) if index else value
+            answer = equal_to_derived(own, right, domain, factor)
+            answer = voice.equal(answer, node, index, right / factor)
+            if not isinstance(answer, Proved):
+                return ()
+            engines = merge(engines, answer.engines)
+    except LatexError:  # shapes that do not fit
+        return ()
+    return engines
 
 
 @lru_cache(maxsize=1)
@@ -97,8 +131,7 @@ def _reading(
 ) -> tuple[Callable[[str], Node], Callable[[Symbolic], Values]]:
     """Return what reads an edited text of a claim, and what evaluates a symbol in it.
 
-    Both remember: one edit is looked for before two are, in every wrong entry of a matrix, and the
-    same edits with the same symbols come up each time.
+    Both remember: in every wrong entry of a matrix, the same edits with the same symbols come up.
     """
 
     @cache
@@ -113,20 +146,3 @@ def _reading(
             raise KeyError(node.name) from None
 
     return read, meaning
-
-
-def _mended(found: Iterable[Repair], grade: Grade, context: Context) -> Mended:
-    first, *others = _unlike(found, context)
-    return Mended(first.text, grade, tuple(other.text for other in others))
-
-
-def _unlike(found: Iterable[Repair], context: Context) -> Iterator[Repair]:
-    """Leave out what is an earlier repair in another spelling, unless the paper has that one."""
-    alike: dict[object, list[Repair]] = {}
-    for edit in found:
-        node = read_with(edit.text, context.loaded.paper.notation, context.names)
-        alike.setdefault(likeness(node), []).append(edit)
-    printed = [text for claim in context.claims.values() for text in claim.latex]
-    for spellings in alike.values():
-        familiar = (edit for edit in spellings if any(edit.text in text for text in printed))
-        yield next(familiar, spellings[0])

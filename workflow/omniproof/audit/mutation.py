@@ -20,12 +20,13 @@ from typing import Any
 from sympy import MatrixBase, Rational, Symbol
 
 from omniproof.audit.context import Context, entries
-from omniproof.audit.mending import mend
+from omniproof.audit.mending import mend_claim
 from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
 from omniproof.audit.run import prepare_to_judge
 from omniproof.audit.sympy_digits import known_value
 from omniproof.audit.sympy_domain import Domain
 from omniproof.audit.sympy_equality import confirmed_equal
+from omniproof.audit.voice import Voice
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted
 from omniproof.decide.digits import (
     Bound,
@@ -267,11 +268,12 @@ def _fate(original: Original, text: str, context: Context) -> tuple[Fate, str]:
         return (Fate.FALSE_ALARM if flagged else equal), ""
     if not flagged:
         return Fate.MISSED, ""
-    mended = mend(text, original.derived, original.claim, context, original.factor)
+    mended = mend_claim(text, original.derived, Voice(original.claim, context), original.factor)
     if mended is None:
         return Fate.UNREPAIRED, ""
-    right = Fate[mended.grade.name] if judge.is_equal(mended.text) else Fate.MISREPAIRED
-    return right, mended.text
+    right = Fate.EXPLAINED if mended.size == 1 else Fate.POSSIBLE
+    correction = mended.repairs[0].text
+    return right if judge.is_equal(correction) else Fate.MISREPAIRED, correction
 
 
 @dataclass(frozen=True)

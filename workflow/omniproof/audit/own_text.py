@@ -13,8 +13,8 @@ from sympy import MatrixBase, Symbol
 from omniproof.audit.context import Context
 from omniproof.audit.known_symbols import symbols_in
 from omniproof.audit.ledger import Row
-from omniproof.audit.likeness import likeness
 from omniproof.formula.evaluation import Function
+from omniproof.repair.likeness import likeness
 from omniproof.transcription.ids import base
 from omniproof.transcription.model import Kind
 from omniproof.transcription.reader import read_with

@@ -51,14 +51,6 @@ def term_of(expression: Any) -> Term:
     return _term(sp.sympify(expression))
 
 
-def term_if_any(expression: Any) -> Term | None:
-    """Return an expression as a term; None for one that is none."""
-    try:
-        return term_of(expression)
-    except UnsupportedError:
-        return None
-
-
 @lru_cache(maxsize=100_000)
 def _term(node: Any) -> Term:
     """Convert node by node.

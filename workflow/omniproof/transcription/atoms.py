@@ -15,7 +15,7 @@ from dataclasses import replace
 from omniproof.formula.functions import COMMANDS, FUNCTIONS, INVERSES, WORDS
 from omniproof.transcription.conventions import Names, Writing
 from omniproof.transcription.enclosed import EnclosedReader
-from omniproof.transcription.tokens import MAX_DEPTH, LatexError, Token
+from omniproof.transcription.tokens import MAX_DEPTH, Cure, LatexError, Token
 from omniproof.transcription.tree import (
     Applied,
     Call,
@@ -173,7 +173,8 @@ class AtomReader(EnclosedReader, ABC):
         if name in self.functions or (plain and (name in self.quantities or self.alone)):
             return Applied(name, arguments, span=self.since(start))
         if isinstance(node, Name):
-            cure = f"declare `{name}` with `role: quantity`, or drop the brackets for a product"
+            product = "drop the brackets for a product"
+            cure = Cure(f"declare `{name}` with `role: quantity`, or {product}", product)
             self.refuse(f"`{name}({node.name})` may be a function or a product", start, cure)
         self.place = place
         return _pi(Name(name, span=span))

@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from omniproof.transcription.symbols import SymbolReader
+from omniproof.transcription.tokens import Cure
 from omniproof.transcription.tree import (
     STATEMENTS,
     Absolute,
@@ -50,7 +51,7 @@ class EnclosedReader(SymbolReader, ABC):
     def value(self, node: Node, start: int) -> Node:
         """Refuse a statement where a value is needed."""
         if isinstance(node, STATEMENTS):
-            cure = "state it in a claim of its own"
+            cure = Cure("state it in a claim of its own", "state it alone")
             self.refuse("expected a value, found a statement", start, cure)
         return node
 

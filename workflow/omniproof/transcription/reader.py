@@ -16,6 +16,7 @@ from typing import Literal
 from omniproof.transcription.arguments import ArgumentReader
 from omniproof.transcription.conventions import Conventions, Names, Writing
 from omniproof.transcription.symbols import END, TRANSPOSE, symbol_name
+from omniproof.transcription.tokens import Cure
 from omniproof.transcription.tree import (
     STATEMENTS,
     Call,
@@ -295,7 +296,11 @@ class Reader(ArgumentReader):
         return parts[0] if len(parts) == 1 else Logic("and", parts, span=self.since(start))
 
 
-SLASH = "write `\\frac{…}{…}`, or settle it with `slash: first` or `slash: all` in the notation"
+FRACTION = "write `\\frac{…}{…}`, or settle it with"
+SLASH = Cure(
+    f"{FRACTION} `slash: first` or `slash: all` in the notation",
+    f"{FRACTION} `--slash first` or `--slash all`",
+)
 
 
 def _in_degrees(node: Sum) -> Sum:

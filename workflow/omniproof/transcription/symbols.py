@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterator
 from contextlib import contextmanager
 from typing import NoReturn
 
-from omniproof.transcription.tokens import OPENING, LatexError, Token, tokenize
+from omniproof.transcription.tokens import OPENING, Cure, LatexError, Token, tokenize
 from omniproof.transcription.tree import Span
 
 END = Token("end of formula", "", (0, 0))
@@ -82,7 +82,7 @@ class Cursor:
         span = (self.start, self.start + 1) if self.peek() is END else self.peek().span
         raise LatexError(f"expected {what}, found {self.found()}", self.source, span, cure)
 
-    def refuse(self, message: str, start: int, cure: str) -> NoReturn:
+    def refuse(self, message: str, start: int, cure: str | Cure) -> NoReturn:
         """Refuse everything from an offset to the token just taken."""
         raise LatexError(message, self.source, self.since(start), cure)
 
@@ -189,7 +189,8 @@ class SymbolReader(Cursor):
             if len(letters) > 1 and self.at("}"):
                 if not word and self.declared is not None and letters not in self.words:
                     message = f"`{letters}` may be one symbol or a product"
-                    cure = f"declare `{letters}`, or give each letter its own `{outer.text}`"
+                    split = f"give each letter its own `{outer.text}`"
+                    cure = Cure(f"declare `{letters}`, or {split}", split)
                     self.refuse(message, outer.span[0], cure)
                 return letters
             self.place -= len(letters)
@@ -259,7 +260,8 @@ class SymbolReader(Cursor):
         if not whole and self.knows(f"{name}^{script}"):
             return f"^{script}"
         if not whole and script not in TRANSPOSE:
-            cure = f"declare the symbol `{name}^{script}`, or write a whole number as the power"
+            power = "write a whole number as the power"
+            cure = Cure(f"declare the symbol `{name}^{script}`, or {power}", power)
             message = f"`^{script}` is neither a whole power nor part of a declared symbol"
             self.refuse(message, start, cure)
         self.place = place

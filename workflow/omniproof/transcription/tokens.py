@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import lru_cache
 from typing import NamedTuple
@@ -22,16 +23,34 @@ MAX_DEPTH = 32
 EXCERPT = 70
 
 
+@dataclass(frozen=True)
+class Cure:
+    """What to write instead: in the file of a paper, and where a formula stands alone."""
+
+    in_paper: str
+    alone: str
+
+
 class LatexError(Exception):
     """A formula that cannot be read (or not in one way only), with the place and a cure."""
 
-    def __init__(self, message: str, source: str, span: Span, cure: str = "") -> None:
-        self.message, self.source, self.span, self.cure = message, source, span, cure
+    def __init__(self, message: str, source: str, span: Span, cure: str | Cure = "") -> None:
+        self.message, self.source, self.span = message, source, span
+        told = cure if isinstance(cure, Cure) else Cure(cure, cure)
+        self.cure, self.cure_alone = told.in_paper, told.alone
         super().__init__(message, source, span, cure)
 
     def __str__(self) -> str:
         """Show the message, the source around the fault with a marker below, and the cure."""
-        return f"{self.picture}\n    {self.cure}" if self.cure else self.picture
+        return self._told(self.cure)
+
+    @property
+    def alone(self) -> str:
+        """The same of a formula that stands alone."""
+        return self._told(self.cure_alone)
+
+    def _told(self, cure: str) -> str:
+        return f"{self.picture}\n    {cure}" if cure else self.picture
 
     @property
     def picture(self) -> str:
@@ -107,16 +126,18 @@ TABLES = _words("matrix pmatrix bmatrix smallmatrix array cases")
 """Environments of rows and columns."""
 
 NO_DERIVATIVES = "derivatives are not read: write out what they are"
-UNREAD = {
+BOTH_SIGNS = Cure("write both signs as claims of their own", "write both signs alone")
+NO_ARROW = Cure("leave the arrow out, or say it in `says`", "leave the arrow out")
+UNREAD: dict[str, str | Cure] = {
     "partial": NO_DERIVATIVES,
     "differential": NO_DERIVATIVES,
     "log": "write `\\ln` for the natural logarithm; no other is read",
     "sum": "sums over an index are not read: write the terms out",
-    "pm": "write both signs as claims of their own",
-    "mp": "write both signs as claims of their own",
-    "in": "leave the membership out, or say it in `says`",
-    "rightarrow": "leave the arrow out, or say it in `says`",
-    "to": "leave the arrow out, or say it in `says`",
+    "pm": BOTH_SIGNS,
+    "mp": BOTH_SIGNS,
+    "in": Cure("leave the membership out, or say it in `says`", "leave the membership out"),
+    "rightarrow": NO_ARROW,
+    "to": NO_ARROW,
 }
 """Commands that papers use and that are refused, with what to do."""
 
@@ -168,7 +189,8 @@ def tokenize(source: str) -> tuple[Token, ...]:
     """
     if len(source) > MAX_LENGTH:
         message = f"expected at most {MAX_LENGTH} characters, found {len(source)}"
-        raise LatexError(message, source, (0, EXCERPT), "split the formula into several claims")
+        cure = Cure("split the formula into several claims", "split the formula")
+        raise LatexError(message, source, (0, EXCERPT), cure)
     return tuple(_layout(list(_scan(source)), source))
 
 
@@ -207,6 +229,7 @@ def _classify(text: str) -> tuple[str, str]:
 
 def _unknown(token: Token, source: str) -> LatexError:
     text = token.text
+    cure: str | Cure
     if token.kind == "begin":
         message = f"the environment `{text}` is not read"
         cure = f"write one of {', '.join(sorted(TABLES))}"

@@ -9,11 +9,11 @@ tokens; what has parts that a text does not show (a ratio, a difference) in the 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
-from enum import IntEnum
-from itertools import combinations, pairwise, product
+from itertools import combinations
 
 from omniproof.formula.functions import COMMANDS, FUNCTIONS
+from omniproof.repair.kinds import Edit, Repair, Word, edited, join, unbraced
+from omniproof.repair.regrouped import regrouped
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import Token, tokenize
 from omniproof.transcription.tree import Span
@@ -24,50 +24,22 @@ NEIGHBOURS = {
     f"\\{command}": tuple(FUNCTIONS[other].latex for other in FUNCTIONS[function].neighbours)
     for command, function in COMMANDS.items()
 }
-WRAPPED = ("arctan", "sqrt")
+RELATIONS = {
+    "<": (">", r"\leq", r"\geq"),
+    ">": ("<", r"\geq", r"\leq"),
+    r"\leq": (r"\geq",),
+    r"\geq": (r"\leq",),
+    r"\neq": ("=",),
+}
+"""What may stand for a relation that is false: nothing that says more of the same."""
 SIGNS = {"+", "-"}
 OPERAND_ENDS = {"number", "symbol"}
-OPENING = {"(", "[", "{", "=", "&", "\\\\", ",", "\\|", "\\langle"}
+SEPARATORS = {"=", *RELATIONS, "&", "\\\\", ","}
+OPENING = {"(", "[", "{", "\\|", "\\langle"} | SEPARATORS
 CLOSING = {")", "]", "}", r"\}", "|", "'", r"\rangle", r"\circ"}
 EITHER = {"|", r"\|"}
 """Bars open and close: a sign after them may be either."""
 MOST_SWAPS = 60
-
-
-class Edit(IntEnum):
-    """What an edit does, the most common misprint first."""
-
-    SIGN = 0  # between two terms
-    MINUS = 1  # before a term
-    INDEX = 2
-    FUNCTION = 3
-    LETTER = 4  # with the same index
-    SWAP = 5  # of two symbols, or of the two sides of an operator
-    DROP = 6  # a constant that should not be there
-    CONSTANT = 7
-    FACTOR = 8  # a small constant that is missing
-    SYMBOL = 9
-    RATIO = 10  # upside down
-    PART = 11  # a factor or a power that should not be there, or is missing; a lost sign
-    WHOLE = 12  # a symbol that is missing before, or below, everything
-    WRAP = 13  # a root, a bar or an inverse tangent that is missing or too many
-
-
-@dataclass(frozen=True, order=True)
-class Repair:
-    """Edits that make a formula true; repairs sort by how common such a misprint is.
-
-    `span` is the place in the printed text that is replaced; `text` is the whole result.
-    """
-
-    kind: Edit
-    span: Span
-    description: str
-    text: str
-
-    def replacement(self, printed: str) -> str:
-        """What stands at the span instead."""
-        return self.text[self.span[0] : len(self.text) - (len(printed) - self.span[1])]
 
 
 def edits(
@@ -84,51 +56,13 @@ def edits(
     they are printed. With `node`, the tree of the text, also what only the tree shows.
     Raises `LatexError` for a text that cannot be cut into tokens.
     """
-    words, kin = ([_Word.read(word) for word in group] for group in (vocabulary, relatives))
+    words, kin = ([Word.read(word) for word in group] for group in (vocabulary, relatives))
     found = list(_Editor(text, words, kin, known).edits())
     if node is not None:
-        found += _Regrouped(text, node, words).edits()
+        found += regrouped(text, node, words)
     # Of two edits to one text the likelier one stays: it comes last, and the last entry wins.
     results = {edit.text: edit for edit in sorted(set(found), reverse=True) if edit.text != text}
     return sorted(results.values())
-
-
-@dataclass(frozen=True)
-class _Word:
-    """A symbol: how it is written, its letter with accents, and its scripts."""
-
-    latex: str
-    texts: tuple[str, ...]
-    base: tuple[str, ...]
-    index: tuple[str, ...]
-
-    @classmethod
-    def read(cls, latex: str) -> _Word:
-        return cls.of(latex, [token.text for token in tokenize(latex)])
-
-    @classmethod
-    def of(cls, latex: str, texts: Sequence[str]) -> _Word:
-        """Fonts are left out: they tell no two symbols apart."""
-        plain = [text for text in texts if text not in {r"\mathbf", r"\boldsymbol", r"\mathrm"}]
-        cut = plain.index("_") if "_" in plain else len(plain)
-        return cls(latex, tuple(texts), _unbraced(plain[:cut]), _unbraced(plain[cut:]))
-
-    def relation(self, other: _Word) -> Edit:
-        """What kind of misprint it is to print one for the other."""
-        if self.base == other.base and self.index and other.index:
-            return Edit.INDEX
-        return Edit.LETTER if self.index == other.index != () else Edit.SYMBOL
-
-    def is_kin(self, other: _Word) -> bool:
-        """Whether they share the letter or the index, or have one letter each and no index."""
-        if self.relation(other) is not Edit.SYMBOL:
-            return True
-        return not self.index and not other.index and len(self.base) == len(other.base) == 1
-
-
-def _unbraced(texts: Sequence[str]) -> tuple[str, ...]:
-    """Leave braces out: `v_{x}` and `v_x` are one symbol."""
-    return tuple(text for text in texts if text not in {"{", "}"})
 
 
 class _Editor:
@@ -137,15 +71,15 @@ class _Editor:
     def __init__(
         self,
         text: str,
-        words: Sequence[_Word],
-        relatives: Sequence[_Word],
+        words: Sequence[Word],
+        relatives: Sequence[Word],
         known: Sequence[str],
     ) -> None:
         self.text, self.words, self.relatives = text, words, relatives
         self.tokens = tokenize(text)
         # Without a superscript a symbol is recognised by itself.
-        scripted = (_Word.read(latex) for latex in known if "^" in latex)
-        names = {_unbraced(word.texts) for word in (*words, *relatives, *scripted)}
+        scripted = (Word.read(latex) for latex in known if "^" in latex)
+        names = {unbraced(word.texts) for word in (*words, *relatives, *scripted)}
         self.symbols = list(_symbols(self.tokens, names))
         inside = {place for first, last in self.symbols for place in range(first, last)}
         self.free = [(k, token) for k, token in enumerate(self.tokens) if k not in inside]
@@ -155,8 +89,9 @@ class _Editor:
             if token.text in SIGNS:
                 yield from self.flip(place, token)
             elif token.text in NEIGHBOURS:
-                for other in NEIGHBOURS[token.text]:
-                    yield self.edit(Edit.FUNCTION, token.span, other, f"{token.text} -> {other}")
+                yield from self.others(Edit.FUNCTION, token, NEIGHBOURS[token.text])
+            elif token.text in RELATIONS:
+                yield from self.others(Edit.RELATION, token, RELATIONS[token.text])
             elif token.kind == "number":
                 yield from self.constant(token)
         for first, last in self.symbols:
@@ -165,6 +100,11 @@ class _Editor:
         for place in range(len(self.tokens)):
             yield from self.insert(place)
         yield from self.whole()
+
+    def others(self, kind: Edit, token: Token, instead: Sequence[str]) -> Iterator[Repair]:
+        """Put something else for a token."""
+        for other in instead:
+            yield self.edit(kind, token.span, other, f"{token.text} -> {other}")
 
     def flip(self, place: int, token: Token) -> Iterator[Repair]:
         """Turn a sign between terms over; drop a leading one."""
@@ -200,7 +140,7 @@ class _Editor:
         for left, right in pairs[:MOST_SWAPS]:
             a, b = self.word(*left).latex, self.word(*right).latex
             (begin, middle), (resume, end) = self.place(*left), self.place(*right)
-            new = _join(_join(b, self.text[middle:resume]), a)
+            new = join(join(b, self.text[middle:resume]), a)
             yield self.edit(Edit.SWAP, (begin, end), new, f"{a} <-> {b}")
 
     def insert(self, place: int) -> Iterator[Repair]:
@@ -213,7 +153,8 @@ class _Editor:
         if opens:
             yield self.edit(Edit.MINUS, span, "-", "insert -")
         for factor in FACTORS:
-            yield self.edit(Edit.FACTOR, span, factor, f"insert {factor}")
+            if not (factor.isdecimal() and here.kind == "number"):  # they would be one number
+                yield self.edit(Edit.FACTOR, span, factor, f"insert {factor}")
         for word in self.words:
             yield self.edit(Edit.SYMBOL, span, word.latex, f"insert {word.latex}")
 
@@ -228,9 +169,9 @@ class _Editor:
         for shape in (rf"\arctan({text})", rf"\sqrt{{{text}}}", rf"\left|{text}\right|"):
             yield self.edit(Edit.WRAP, span, shape, f"{text} -> {shape}")
 
-    def word(self, first: int, last: int) -> _Word:
+    def word(self, first: int, last: int) -> Word:
         shown = self.text[slice(*self.place(first, last))]
-        return _Word.of(shown, [token.text for token in self.tokens[first:last]])
+        return Word.of(shown, [token.text for token in self.tokens[first:last]])
 
     def place(self, first: int, last: int) -> Span:
         """The place of tokens in the text."""
@@ -243,106 +184,7 @@ class _Editor:
 
     def edit(self, kind: Edit, span: Span, new: str, description: str) -> Repair:
         """Replace a span; a blank keeps a word apart from a letter that follows it."""
-        return _edit(self.text, kind, span, new, description)
-
-
-class _Regrouped:
-    """The edits that only the tree shows."""
-
-    def __init__(self, text: str, node: tree.Node, words: Sequence[_Word]) -> None:
-        self.text, self.node, self.words = text, node, words
-
-    def edits(self) -> Iterator[Repair]:
-        yield from self.lost_functions()
-        for node in tree.walk(self.node):
-            match node:
-                case tree.Quotient(above, below):
-                    yield self.exchange(Edit.RATIO, above, below, "invert the ratio")
-                case tree.Cross(left, right):
-                    yield self.exchange(Edit.SWAP, left, right, "swap the factors")
-                case tree.Sum(terms):
-                    yield from self.differences(terms)
-                case tree.Tuple(items) | tree.Determinant(items):
-                    for left, right in pairwise(items):
-                        yield self.exchange(Edit.SWAP, left, right, "swap two entries")
-                case tree.Product(factors):
-                    yield from self.without(factors)
-                    yield from self.lost_signs(factors)
-                case tree.Power(base):
-                    span = base.span[1], node.span[1]
-                    if base.span != node.span:
-                        yield self.edit(Edit.PART, span, "", f"drop {self.shown(span)}")
-                case tree.Absolute(inner) | tree.Norm(inner):
-                    yield self.unwrap(node, inner, "drop bars")
-                case tree.Call(function, inner) if function in WRAPPED:
-                    yield self.unwrap(node, inner, f"drop the {function}")
-
-    def differences(self, terms: Sequence[tree.Node]) -> Iterator[Repair]:
-        """Turn a difference round: a - b -> b - a."""
-        for left, right in pairwise(terms):
-            if isinstance(right, tree.Negative) and not isinstance(left, tree.Negative):
-                yield self.exchange(Edit.SWAP, left, right.operand, "swap the terms")
-
-    def without(self, factors: Sequence[tree.Node]) -> Iterator[Repair]:
-        """Leave a factor out that is no symbol and no number."""
-        for factor in factors:
-            if not isinstance(factor, tree.Number | tree.Name):
-                description = f"drop {self.shown(factor.span)}"
-                yield self.edit(Edit.PART, factor.span, "", description)
-
-    def lost_signs(self, factors: Sequence[tree.Node]) -> Iterator[Repair]:
-        """Put a sign between two factors: they may have been terms."""
-        for factor in factors[1:]:
-            for sign in "-+":
-                place = factor.span[0], factor.span[0]
-                yield self.edit(Edit.PART, place, f"{sign} ", f"insert {sign}")
-
-    def lost_functions(self) -> Iterator[Repair]:
-        """Put a sine or cosine after each term, of what stands in one already, or of its kin."""
-        sums = [node.terms for node in tree.walk(self.node) if isinstance(node, tree.Sum)]
-        ends = {term.span[1] for terms in (*sums, [self.node]) for term in terms}
-        for end, name, angle in product(ends, (r"\sin", r"\cos"), self.angles()):
-            new = _join(name, f" {angle}")
-            yield self.edit(Edit.PART, (end, end), f" {new}", f"insert {new}")
-
-    def angles(self) -> list[str]:
-        """Symbols that are the argument of a function, and their kin."""
-        calls = [node for node in tree.walk(self.node) if isinstance(node, tree.Call)]
-        inner = [self.shown(c.argument.span) for c in calls if isinstance(c.argument, tree.Name)]
-        known = [_Word.read(text) for text in dict.fromkeys(inner)]
-        return [word.latex for word in self.words if any(map(word.is_kin, known))]
-
-    def exchange(self, kind: Edit, left: tree.Node, right: tree.Node, description: str) -> Repair:
-        """Let two parts change places."""
-        (begin, middle), (resume, end) = left.span, right.span
-        new = self.shown(right.span) + self.text[middle:resume] + self.shown(left.span)
-        return self.edit(kind, (begin, end), new, description)
-
-    def unwrap(self, node: tree.Node, inner: tree.Node, description: str) -> Repair:
-        """Put brackets where bars or a function were."""
-        return self.edit(Edit.WRAP, node.span, f"({self.shown(inner.span)})", description)
-
-    def shown(self, span: Span) -> str:
-        return self.text[slice(*span)]
-
-    def edit(self, kind: Edit, span: Span, new: str, description: str) -> Repair:
-        return _edit(self.text, kind, span, new, description)
-
-
-def _edit(text: str, kind: Edit, span: Span, new: str, description: str) -> Repair:
-    before, after = text[: span[0]], text[span[1] :]
-    return Repair(kind, span, description, _join(_join(before, new), after, span[0] == span[1]))
-
-
-def _join(left: str, right: str, apart: bool = False) -> str:
-    r"""Put a text after another; a blank ends a command, and parts `L x` and `\theta \cos x`.
-
-    With `apart`, a blank also parts two letters, which would look like one word.
-    """
-    if not (left[-1:].isalpha() and right[:1].isalpha()):
-        return left + right
-    tail = left.rstrip("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")
-    return f"{left} {right}" if apart or tail.endswith("\\") else left + right
+        return edited(self.text, kind, span, new, description)
 
 
 def _ends_operand(tokens: Sequence[Token], place: int) -> bool:
@@ -374,7 +216,7 @@ def _symbols(
                 place = _after_atom(tokens, place + 1)
             if place < len(tokens) - 1 and tokens[place].text == "^":
                 end = _after_atom(tokens, place + 1)
-                texts = _unbraced([token.text for token in tokens[first:end]])
+                texts = unbraced([token.text for token in tokens[first:end]])
                 place = end if texts in known else place
             yield first, place
         else:

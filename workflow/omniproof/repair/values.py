@@ -5,8 +5,8 @@ microsecond, where SymPy takes milliseconds; so only what a float cannot tell fr
 the exact test. Nothing here proves anything.
 
 Every value is an array of shape (..., points, rows, columns), a number having one row and one
-column; axes before the points hold alternatives and broadcast against one another. An equation
-counts as the number by which its sides differ.
+column; axes before the points hold alternatives and broadcast against one another. A statement
+counts as a column of numbers, one for each entry of its sides: 0 where it holds.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from sympy import Expr, MatrixBase, Symbol
 from omniproof.audit.balls import compile_balls
 from omniproof.audit.integrals import flattened
 from omniproof.audit.sampling import Sample, sample_points
+from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.balls import rational_ball
 from omniproof.formula.functions import FUNCTIONS as TABLE
 from omniproof.transcription import tree
@@ -31,6 +32,8 @@ from omniproof.transcription import tree
 Values: TypeAlias = NDArray[np.float64]
 POINTS = 6
 TOLERANCE = 1e-8
+UNTOLD = np.full((POINTS, 1, 1), np.nan)
+"""Values of what is no number."""
 AXES = {"x": 0, "y": 1, "z": 2}
 
 
@@ -51,25 +54,26 @@ def agree(values: Values, target: Values) -> NDArray[np.bool_]:
     return np.asarray((near | ~known).all(axis=-1) & known.any())
 
 
-def at_points(value: Expr | MatrixBase) -> Values:
+def at_points(value: Expr | MatrixBase, domain: Domain = REALS) -> Values:
     """Evaluate an expression or a matrix at the points of its symbols, the same for equal names.
 
-    Raises `UnsupportedError` for a function that balls do not know.
+    Raises `UnsupportedError` for a function that balls do not know, or an empty domain.
     """
     value = flattened(value)
     symbols = tuple(sorted(value.free_symbols, key=str))
     rows, columns = value.shape if isinstance(value, MatrixBase) else (1, 1)
     program = compile_balls(list(value) if isinstance(value, MatrixBase) else [value], symbols)
-    points = [[rational_ball(_coordinates(symbol)[k]) for symbol in symbols] for k in range(POINTS)]
+    drawn = [_coordinates(symbol, domain.interval(symbol.name)) for symbol in symbols]
+    points = [[rational_ball(each[k]) for each in drawn] for k in range(POINTS)]
     found = [[_float(ball) for ball in program.run(point)] for point in points]
     return np.array(found).reshape(POINTS, rows, columns)
 
 
 @cache
-def _coordinates(symbol: Symbol) -> tuple[Any, ...]:
+def _coordinates(symbol: Symbol, ends: tuple[Any, Any]) -> tuple[Any, ...]:
     """Rational values of one symbol at all points, other than those of any other symbol."""
-    seed = int.from_bytes(symbol.name.encode()) % 2**31
-    samples: Iterable[Sample] = sample_points([symbol], count=POINTS, seed=seed)
+    seed, domain = int.from_bytes(symbol.name.encode()) % 2**31, Domain({symbol.name: ends})
+    samples: Iterable[Sample] = sample_points([symbol], domain, count=POINTS, seed=seed)
     return tuple(sample[symbol] for sample in samples)
 
 
@@ -213,10 +217,34 @@ def _call(node: tree.Call, parts: Sequence[Values]) -> Values:
     return reduce(FUNCTIONS[node.function], items)
 
 
-def _chain(sides: Sequence[Values]) -> Values:
-    """An equation as the number by which its sides differ: 0 where it holds."""
-    gaps = [np.abs(_plus(left, -right)) for left, right in pairwise(sides)]
-    return sum(gap.sum(axis=(-2, -1), keepdims=True) for gap in gaps) + _constant(0)
+def _chain(node: tree.Chain, sides: Sequence[Values]) -> Values:
+    """An equation as the numbers by which the entries of its sides differ: 0 where it holds."""
+    if node.relation != "=" or len(sides) < 2:
+        raise ShapeError("no equation")
+    return _joined([_column_of(_gap(left, right)) for left, right in pairwise(sides)], -2)
+
+
+def _gap(left: Values, right: Values) -> Values:
+    """How far two values are apart: 0 where floats cannot tell."""
+    gap = _plus(left, -right)
+    return np.where(np.abs(gap) <= TOLERANCE * (1 + np.abs(left)), 0.0, gap)
+
+
+def _column_of(value: Values) -> Values:
+    """All entries below one another."""
+    return value.reshape(*value.shape[:-2], -1, 1)
+
+
+def _comparison(node: tree.Comparison, left: Values, right: Values) -> Values:
+    """0 where a relation holds, or may hold as far as floats can tell, and 1 where it fails."""
+    gap = _gap(_number(left), _number(right))
+    holds = {"<": gap <= 0, "\\leq": gap <= 0, ">": gap >= 0, "\\geq": gap >= 0, "\\neq": gap != 0}
+    return np.where(np.isfinite(gap), ~holds[node.operator], np.nan)
+
+
+def _any(parts: Sequence[Values]) -> Values:
+    """The least failure of several statements: 0 where one of them holds."""
+    return np.asarray(reduce(np.minimum, [part.max(axis=-2, keepdims=True) for part in parts]))
 
 
 def _constant(value: float) -> Values:
@@ -236,7 +264,10 @@ _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Values]], Values]] = {
     tree.Number: lambda node, parts: _constant(float(node.text)),
     tree.Degrees: lambda node, parts: _constant(math.radians(float(node.value))),
     tree.Pi: lambda node, parts: _constant(math.pi),
-    tree.Chain: lambda node, parts: _chain(parts),
+    tree.Chain: _chain,
+    tree.Comparison: lambda node, parts: _comparison(node, *parts),
+    tree.Logic: lambda node, parts: _any(parts) if node.operator == "or" else _joined(parts, -2),
+    tree.Listing: lambda node, parts: _joined(parts, -2),
     tree.Negative: lambda node, parts: -parts[0],
     tree.Sum: lambda node, parts: reduce(_plus, parts),
     tree.Product: lambda node, parts: reduce(_times, parts),

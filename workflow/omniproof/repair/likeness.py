@@ -28,6 +28,8 @@ def likeness(node: tree.Node) -> Form:
 
 def _scaled(node: tree.Node) -> tuple[Fraction, Form]:
     """Take the number out of a formula: the number, and the rest."""
+    while isinstance(node, tree.Power) and node.exponent == 1:
+        node = node.base
     match node:
         case tree.Number(text):
             return Fraction(text), ONE
