@@ -127,7 +127,7 @@ class _Comparison:
         return self.bounded_order() if self.bounded else self.unbounded_order()
 
     def bounded_order(self) -> Answer:
-        family = OnBox(self.difference, self.box)
+        family = OnBox(self.difference, self.box, self.printed)
         wanted = WANTED[self.operator]
         answer = sign_on(family, wanted, zero=self.may_vanish, closed=self.closed)
         if not isinstance(answer, Undecided):
@@ -137,7 +137,7 @@ class _Comparison:
     def unbounded_order(self) -> Answer:
         answer = self.refuted() or (Proved(ENGINE) if self.is_evident() else self.on_the_line())
         if isinstance(answer, Proved):
-            family = OnBox(self.difference, self.box)
+            family = OnBox(self.difference, self.box, self.printed)
             faces = not_on_faces(family, WANTED[self.operator], self.may_vanish, self.closed)
             answer = answer if faces is None else self.with_sides(faces)
         return self.by_algebra() or answer if isinstance(answer, Undecided) else answer
@@ -283,20 +283,21 @@ class _Comparison:
         if not calls:
             t = sp.Symbol("t", real=True)
             place, side = _compact(t, *range_)
-            return OnBox(self.difference.subs(symbol, place), {t: side}), place
+            printed = substitute(self.printed, {symbol.name: term_of(place)})
+            return OnBox(self.difference.subs(symbol, place), {t: side}, printed), place
         rest = self.difference.xreplace({call: sp.Dummy() for call in calls})
         angles = [read_angle(term_of(call.args[0])).multiples for call in calls]
         only = frozenset({(Symbol(symbol.name), 1)})
         if symbol in rest.free_symbols or any(set(angle) != {only} for angle in angles):
             return None, None
         period = 2 * sp.pi * lcm(*(angle[only].denominator for angle in angles))
-        return OnBox(self.difference, {symbol: (-sp.S.One, period)}), symbol
+        return OnBox(self.difference, {symbol: (-sp.S.One, period)}, self.printed), symbol
 
     def unequal(self) -> Answer:
         """Decide `a != b`: one sign throughout, or the zeros in closed form."""
         if not self.bounded:
             return self.by_algebra() or Undecided(ADVICE, ENGINE)
-        family = OnBox(self.difference, self.box)
+        family = OnBox(self.difference, self.box, self.printed)
         answers = [sign_on(family, wanted, closed=self.closed) for wanted in (1, -1)]
         if any(isinstance(answer, Proved) for answer in answers):
             return Proved(ENGINE)

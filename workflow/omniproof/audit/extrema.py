@@ -33,6 +33,7 @@ from omniproof.audit.signs import (
     sign_on,
 )
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided
+from omniproof.formula.sympy_terms import term_of
 
 __all__ = ["concave", "prove_extremum", "sign_on"]
 
@@ -71,7 +72,7 @@ def _extremum(family: Family, candidates: Points, direction: int, closed: Closed
         return _refuted(function, better, best)
     sign = direction * denominator_sign(function)
     above = sign * (function.numerator - best * function.denominator)
-    outcome = prove_positive(above, function.box, candidates)
+    outcome = prove_positive(term_of(above), function.box, candidates)
     match outcome:
         case Positive():
             return _not_on_faces(family, candidates, direction, closed) or Proved(ENGINE)
@@ -114,7 +115,7 @@ def _lying_on(
 
 
 def _worse(lead: OnBox) -> Answer:
-    return sign_on(lead, 1) if lead.box else of_number(lead.expression, 1)
+    return sign_on(lead, 1) if lead.box else of_number(term_of(lead.expression), 1)
 
 
 def _refuted(function: Quotient, point: tuple[Any, ...], best: sp.Expr) -> Refuted:

@@ -15,14 +15,17 @@ from dataclasses import dataclass, field
 from itertools import combinations
 from typing import Any, TypeAlias
 
-import sympy as sp
 from flint import arb, ctx, fmpq
 
-from omniproof.audit.balls import compile_balls, evaluate
+from omniproof.audit.balls import evaluate
 from omniproof.audit.box import Box, Cell, halves, hull, middle
 from omniproof.audit.exact import subtract, vanishes
-from omniproof.decide.balls import Ball, Program, sign_of
+from omniproof.decide.balls import Ball, Program, compile_balls, sign_of
+from omniproof.decide.exact import sign
+from omniproof.formula.derivative import derivative
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import Term, substitute
 
 PRECISION = 96
 MOST_CELLS = 6_000
@@ -66,7 +69,7 @@ class Zero:
     side: int = 0
 
 
-def prove_positive(function: sp.Expr, box: Box, zeros: Sequence[tuple[Any, ...]] = ()) -> Outcome:
+def prove_positive(function: Term, box: Box, zeros: Sequence[tuple[Any, ...]] = ()) -> Outcome:
     """Prove function > 0 on the box except at `zeros`, exact points of the closed box.
 
     Points where the function is undefined prove nothing, so it should be defined inside. Raises
@@ -78,13 +81,14 @@ def prove_positive(function: sp.Expr, box: Box, zeros: Sequence[tuple[Any, ...]]
 
 @dataclass
 class _Search:
-    function: sp.Expr
+    function: Term
     box: Box
     exact_zeros: Sequence[tuple[Any, ...]]
     resisting: list[tuple[float, ...]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.program: Program = compile_balls([self.function], self.box.symbols)
+        self.names = [symbol.name for symbol in self.box.symbols]
+        self.program: Program = compile_balls([self.function], self.names)
         self.sides = self.box.enclosed_sides()
         zeros = (self._zero(zero) for zero in self.exact_zeros)
         self.zeros = [zero for zero in zeros if zero is not None]
@@ -151,22 +155,24 @@ class _Search:
             return None
 
     def _flat(self, exact: tuple[Any, ...], point: list[Ball]) -> Zero | None:
-        place = dict(zip(self.box.symbols, exact, strict=True))
-        slopes = [sp.diff(self.function, symbol).subs(place) for symbol in self.box.symbols]
-        flat = vanishes(self.function.subs(place)) and all(vanishes(slope) for slope in slopes)
+        slopes = (derivative(self.function, name) for name in self.names)
+        flat = all(self._vanishes(part, exact) for part in (self.function, *slopes))
         return Zero(tuple(point), 2) if flat else None
 
+    def _vanishes(self, part: Term, exact: tuple[Any, ...]) -> bool:
+        values = dict(zip(self.names, map(term_of, exact), strict=True))
+        return sign(substitute(part, values)) == 0
+
     def _zero_on_line(self, exact: tuple[Any, ...], point: list[Ball]) -> Zero | None:
-        (symbol,) = self.box.symbols
-        derivative = self.function
+        part = self.function
         coefficients = self._series(point, [1], LARGEST_ORDER)
         for order in range(LARGEST_ORDER + 1):
             coefficient = coefficients[order]
             if coefficient.is_finite() and not coefficient.contains(0):
                 return Zero(tuple(point), order, self._side(exact[0])) if order else None
-            if not vanishes(derivative.subs(symbol, exact[0])):
+            if not self._vanishes(part, exact):
                 return None
-            derivative = sp.diff(derivative, symbol)
+            part = derivative(part, self.names[0])
         return None
 
     def _side(self, end: Any) -> int:

@@ -11,11 +11,15 @@ from flint import fmpq
 
 from omniproof.audit.balls import compile_balls, evaluate, exact_number
 from omniproof.audit.box import Box
-from omniproof.audit.exact import vanishes
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.sympy_domain import Domain
 from omniproof.decide.answer import Witness
-from omniproof.decide.balls import format_ball, sign_of
+from omniproof.decide.balls import enclose, format_ball, sign_of
+from omniproof.decide.exact import sign
+from omniproof.decide.normal_form.form import normal_form
+from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import Term, divide, substitute
 
 PROBES = 40
 QUOTIENTS = {
@@ -44,6 +48,8 @@ class OnBox:
 
     expression: sp.Expr
     box: Mapping[sp.Symbol, tuple[Any, Any]]
+    printed: Term | None = None
+    """The expression before SymPy had an idea of it, if it was printed."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +65,8 @@ class Quotient:
     denominator: sp.Expr
     box: Box
     asked: tuple[sp.Symbol, ...]
+    term: Term
+    """The value before SymPy had an idea of it."""
 
     @staticmethod
     def of(family: Family) -> Quotient:
@@ -73,7 +81,9 @@ class Quotient:
         for function, quotient in QUOTIENTS.items():
             plain = plain.replace(function, quotient)
         numerator, denominator = sp.fraction(sp.together(plain))
-        return Quotient(value, numerator, denominator, box, asked.symbols)
+        printed = getattr(family, "printed", None) or term_of(family.expression)
+        _confirm(printed, divide(term_of(numerator), term_of(denominator)), box)
+        return Quotient(value, numerator, denominator, box, asked.symbols, printed)
 
     def at(self, point: tuple[Any, ...]) -> sp.Expr:
         """Return the exact value at an exact point."""
@@ -81,8 +91,15 @@ class Quotient:
 
     def is_pole(self, point: tuple[Any, ...]) -> bool:
         """Whether the denominator vanishes at an exact point."""
-        place = dict(zip(self.box.symbols, point, strict=True))
-        return vanishes(self.denominator.subs(place))
+        return sign(substitute(term_of(self.denominator), self._place(point))) == 0
+
+    def value_at(self, point: tuple[Any, ...]) -> Term:
+        """Return what is printed at a rational or exact point, as it is."""
+        return substitute(self.term, self._place(point))
+
+    def _place(self, point: tuple[Any, ...]) -> dict[str, Term]:
+        places = zip(self.box.symbols, point, strict=True)
+        return {symbol.name: term_of(exact_number(x)) for symbol, x in places}
 
     def witness(self, point: tuple[Any, ...], printed: str, derived: str) -> Witness:
         """Show a rational or exact point, with what is said of it."""
@@ -93,10 +110,7 @@ class Quotient:
 
     def digits(self, point: tuple[Any, ...]) -> str:
         """Write the value at a rational or exact point, to six significant digits."""
-        if all(isinstance(x, sp.Basic) for x in point):
-            return format_ball(evaluate(self.at(point)), 6)
-        place = dict(zip(self.box.symbols, point, strict=True))
-        return format_ball(evaluate(self.value, place), 6)
+        return format_ball(enclose(self.value_at(point)), 6)
 
     def find(self, expression: sp.Expr, sign: int) -> tuple[fmpq, ...] | None:
         """Look for a rational point of the box where an expression has a certain sign."""
@@ -105,6 +119,13 @@ class Quotient:
             if sign_of(evaluate(expression, point)) == sign:
                 return tuple(point[symbol] for symbol in self.box.symbols)
         return None
+
+
+def _confirm(printed: Term, quotient: Term, box: Box) -> None:
+    """Prove that SymPy's quotient is what is printed; raises `UnsupportedError` where it fails."""
+    form = normal_form(printed, quotient, frozenset(s.name for s in box.symbols if s.is_positive))
+    if not (form.is_zero or all(true for _, true in form.patterns())):
+        raise UnsupportedError("it is not proved to be the quotient that SymPy takes it for")
 
 
 def _signed(symbol: sp.Symbol, lower: sp.Expr) -> sp.Symbol:

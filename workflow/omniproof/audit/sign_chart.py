@@ -18,12 +18,14 @@ from typing import Any
 import sympy as sp
 from flint import arb, ctx
 
-from omniproof.audit.balls import compile_balls, evaluate
+from omniproof.audit.balls import evaluate
 from omniproof.audit.box import Box
-from omniproof.audit.exact import vanishes
 from omniproof.audit.positivity import Positive, prove_positive
-from omniproof.decide.balls import Program, as_float
+from omniproof.decide.balls import Program, as_float, compile_balls
+from omniproof.decide.exact import sign
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import Term, negative, substitute
 
 GRID = 240
 BISECTIONS = 60
@@ -40,7 +42,7 @@ class Chart:
     signs: tuple[int, ...]
 
 
-def sign_chart(function: sp.Expr, box: Box) -> Chart:
+def sign_chart(function: Term, box: Box) -> Chart:
     """Prove where a function of one variable is positive and where it is negative.
 
     Raises `UnsupportedError` when a zero has no closed form that is recognised, or when a sign
@@ -67,16 +69,20 @@ def recognise(
         yield sp.Rational(plain.numerator, plain.denominator)
 
 
-def _recognise(function: sp.Expr, symbol: sp.Symbol, place: float) -> Any:
+def _recognise(function: Term, symbol: sp.Symbol, place: float) -> Any:
     for closed in recognise(place):
-        if vanishes(function.subs(symbol, closed)):
+        if _vanishes_at(function, symbol, closed):
             return closed
     raise UnsupportedError(f"its zero {symbol} = {place:.6f} has no closed form that is known here")
 
 
-def _zeros(function: sp.Expr, box: Box) -> list[float]:
+def _vanishes_at(function: Term, symbol: sp.Symbol, place: Any) -> bool:
+    return sign(substitute(function, {symbol.name: term_of(place)})) == 0
+
+
+def _zeros(function: Term, box: Box) -> list[float]:
     """Approximate the zeros inside: changes of sign, and places where |f| is nearly zero."""
-    program = compile_balls([function], box.symbols)
+    program = compile_balls([function], [symbol.name for symbol in box.symbols])
     lower, upper = (as_float(evaluate(end)) for end in box.sides[0])
     places = [lower + (upper - lower) * (k + 0.382) / GRID for k in range(GRID)]
     values = [_value(program, place) for place in places]
@@ -120,19 +126,18 @@ def _value(program: Program, place: float) -> float:
         return float(program.run([arb(place)])[0].mid())
 
 
-def _sign_between(function: sp.Expr, symbol: sp.Symbol, lower: Any, upper: Any) -> int:
+def _sign_between(function: Term, symbol: sp.Symbol, lower: Any, upper: Any) -> int:
     """Prove the sign of a function that has no zero strictly between two points."""
     box = Box.of({symbol: (lower, upper)})
     ends = [(end,) for end in (lower, upper) if _is_zero(function, symbol, end)]
-    for sign in (1, -1):
-        signed = sp.Mul(sign, function, evaluate=False) if sign < 0 else function
+    for wanted, signed in ((1, function), (-1, negative(function))):
         if isinstance(prove_positive(signed, box, ends), Positive):
-            return sign
+            return wanted
     raise UnsupportedError(f"its sign between {symbol} = {lower} and {upper} was not proved")
 
 
-def _is_zero(function: sp.Expr, symbol: sp.Symbol, end: Any) -> bool:
+def _is_zero(function: Term, symbol: sp.Symbol, end: Any) -> bool:
     try:
-        return vanishes(function.subs(symbol, end))
+        return _vanishes_at(function, symbol, end)
     except UnsupportedError:
         return False

@@ -9,16 +9,18 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.balls import evaluate
 from omniproof.audit.box import Box, middle
 from omniproof.audit.exact import sign, vanishes
 from omniproof.audit.intervals import Piece, condition_latex, in_degrees, pieces_of
 from omniproof.audit.positivity import Open, Positive, prove_positive
 from omniproof.audit.quotient import Family, OnBox, Quotient
 from omniproof.audit.sign_chart import Chart, recognise, sign_chart
+from omniproof.decide import exact
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
-from omniproof.decide.balls import format_ball
+from omniproof.decide.balls import enclose, format_ball
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import Term, multiply, substitute
 
 ENGINE = ("flint",)
 CLAIM = {1: "> 0", -1: "< 0"}
@@ -54,14 +56,17 @@ def not_on_faces(family: Family, wanted: int, zero: bool, closed: Closed) -> Ans
 
     A corner is a face, too. Where a function is not defined on a face, nothing is asked.
     """
+    printed = getattr(family, "printed", None) or term_of(family.expression)
     for at, rest in faces(family.box, closed):
         value = family.expression.subs(at)
         if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
             continue
+        term = substitute(printed, {symbol.name: term_of(end) for symbol, end in at.items()})
         if value.free_symbols:
-            answer = sign_on(OnBox(value, rest), wanted, zero=zero)
+            answer = sign_on(OnBox(value, rest, term), wanted, zero=zero)
         else:
-            answer = of_number(value, wanted, zero=zero)
+            Quotient.of(OnBox(value, rest, term))  # proves that it is one number on all of the face
+            answer = of_number(term_of(value), wanted, zero=zero)
         if not isinstance(answer, Proved):
             return on_face(answer, at if value.free_symbols else at | _somewhere(rest))
     return None
@@ -90,11 +95,11 @@ def on_face(answer: Answer, at: Mapping[sp.Symbol, Any]) -> Answer:
     return Refuted(ENGINE, replace(answer.witness, point=point, exact=exact))
 
 
-def of_number(value: sp.Expr, wanted: int, *, zero: bool = False) -> Answer:
+def of_number(value: Term, wanted: int, *, zero: bool = False) -> Answer:
     """Decide the sign of an exact number; raises `UnsupportedError` where it has none."""
-    if _suits(sign(value), wanted, zero):
+    if _suits(exact.sign(value), wanted, zero):
         return Proved(ENGINE)
-    return Refuted(ENGINE, Witness({}, CLAIM[wanted], format_ball(evaluate(value), 6)))
+    return Refuted(ENGINE, Witness({}, CLAIM[wanted], format_ball(enclose(value), 6)))
 
 
 def _suits(own: int, wanted: int, zero: bool) -> bool:
@@ -171,7 +176,7 @@ def _zeros_of_positive(function: sp.Expr, box: Box) -> list[tuple[Any, ...]] | N
     """
     zeros: list[tuple[Any, ...]] = []
     while len(zeros) <= MOST_ZEROS:
-        match prove_positive(function, box, zeros):
+        match prove_positive(term_of(function), box, zeros):
             case Positive():
                 return [zero for zero in zeros if box.contains(zero)]
             case Open(places=places) if found := _zero_near(function, box, places, zeros):
@@ -217,7 +222,7 @@ def _but_at(zeros: list[Zero], function: Quotient, wanted: int) -> OnBranch:
 def _sign_on_line(function: Quotient, wanted: int, zero: bool, closed: tuple[bool, bool]) -> Answer:
     chart = _chart(function)
     ends = [end for end in compress(function.box.sides[0], closed) if not function.is_pole((end,))]
-    good = [end for end in ends if _suits(sign(function.at((end,))), wanted, zero)]
+    good = [end for end in ends if _suits(exact.sign(function.value_at((end,))), wanted, zero)]
     bad = [end for end in ends if end not in good]
     zeros = [point for point in chart.points[1:-1] if not function.is_pole((point,))]
     allowed, holes = (zeros, []) if zero else ([], zeros)
@@ -281,8 +286,9 @@ def vanishes_identically(expression: sp.Expr) -> bool:
 def _chart(function: Quotient) -> Chart:
     """Chart N D, which has the sign of N/D; N alone where D cannot be negative."""
     if function.denominator.is_nonnegative:
-        return sign_chart(function.numerator, function.box)
-    return sign_chart(function.numerator * function.denominator, function.box)
+        return sign_chart(term_of(function.numerator), function.box)
+    both = multiply(term_of(function.numerator), term_of(function.denominator))
+    return sign_chart(both, function.box)
 
 
 def _point_of_sign(box: Box, chart: Chart, wanted: int) -> tuple[Any, ...] | None:
