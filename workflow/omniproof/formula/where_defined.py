@@ -65,7 +65,7 @@ def _differ_from_0(term: Term) -> Iterator[Comparison]:
         case Product(factors=factors):
             for factor in factors:
                 yield from _differ_from_0(factor)
-        case Power(base=base):
+        case Power(base=base) | Call(function="sqrt", arguments=(base,)):
             yield from _differ_from_0(base)
         case Number():
             pass
