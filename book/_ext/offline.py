@@ -1,41 +1,16 @@
-"""Make the report readable from disk: MathJax from the book itself, nothing from a network.
+"""Make the report readable from disk: nothing from a network, formulas left for later.
 
-One file, `tex-svg-full.js`: it needs no fonts and loads no further part (the smaller bundles fetch
-extensions on demand, and a missing one costs the mathematics of a whole page).
+A formula stays LaTeX in Sphinx, as the formulas of claims do, which Sphinx cannot see; all of them
+are set when the pages are finished (`omniproof.report.finish`).
 """
 
 from __future__ import annotations
 
-import importlib.util
 import re
-from pathlib import Path
 from typing import Any
 
 from sphinx.application import Sphinx
-from sphinx.config import Config
-from sphinx.util.fileutil import copy_asset_file
-
-BUNDLE = "tex-svg-full.js"
-PACKAGE = "sphinx-mathjax-offline"
-
-
-def use_bundle(app: Sphinx, config: Config) -> None:
-    """Point Sphinx to the bundle, on every page: claims hold formulas that Sphinx cannot see."""
-    config.mathjax_path = f"mathjax/{BUNDLE}"
-    app.set_html_assets_policy("always")
-
-
-def copy_bundle(app: Sphinx, failure: Exception | None) -> None:
-    """Copy the bundle beside the pages."""
-    if failure is not None or app.builder.format != "html":
-        return
-    package = importlib.util.find_spec(PACKAGE)
-    if package is None or package.origin is None:
-        raise ModuleNotFoundError(f"{PACKAGE} is not installed: run `make`")
-    source = Path(package.origin).parent / "static" / "mathjax" / BUNDLE
-    target = Path(app.outdir) / "_static" / "mathjax"
-    target.mkdir(parents=True, exist_ok=True)
-    copy_asset_file(source, target)
+from sphinx.ext.mathjax import html_visit_displaymath, html_visit_math
 
 
 def drop_thebe(app: Sphinx, page: str, template: str, context: dict[str, Any], tree: Any) -> None:
@@ -58,8 +33,7 @@ def mend_roles(app: Sphinx, page: str, template: str, context: dict[str, Any], t
 
 def setup(app: Sphinx) -> dict[str, bool]:
     """Register with Sphinx."""
-    app.connect("config-inited", use_bundle)
+    app.add_html_math_renderer("later", (html_visit_math, None), (html_visit_displaymath, None))
     app.connect("html-page-context", drop_thebe, priority=900)
     app.connect("html-page-context", mend_roles)
-    app.connect("build-finished", copy_bundle)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

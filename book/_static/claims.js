@@ -1,5 +1,5 @@
 // Buttons on claims: copy the right form, dispute the verdict. Nothing is sent anywhere.
-// They are made when a card opens, because most of the many cards of a page never do.
+// They are made when a row opens, because most of the many rows of a page never do.
 "use strict";
 (() => {
   const make = (tag, text, attributes = {}) => {
@@ -27,7 +27,7 @@
     const lines = [
       `Dispute: ${page.replace(/\.html$/, "")} ${address.textContent}`,
       "",
-      `Place: ${(card.querySelector(".where") || address).textContent.trim()}`,
+      `Place: ${card.cells[0].textContent.trim()}`,
       `Address: ${page}${address.getAttribute("href")}`,
       `Verdict: ${card.querySelector(".badge-verdict").textContent.trim()}`,
       facts.dataset.latex && `Right, by the report: ${facts.dataset.latex}`,
@@ -86,16 +86,8 @@
     return tools;
   };
 
-  const equip = (facts) => {
-    const card = facts.closest(".claim");
-    if (!card || facts.nextElementSibling?.className === "tools") return;
-    facts.after(tools(facts, facts.querySelector("a.address").textContent, card));
-  };
-
-  const equipOpen = (root) => {
-    for (const facts of root.querySelectorAll("dl.facts"))
-      if (!facts.closest("details:not([open])")) equip(facts);
-  };
-  document.addEventListener("toggle", (event) => event.target.open && equipOpen(event.target), true);
-  document.addEventListener("DOMContentLoaded", () => equipOpen(document));
+  document.addEventListener("facts", ({ target }) => {
+    const facts = target.querySelector("dl.facts");
+    if (facts) facts.after(tools(facts, facts.querySelector("a.address").textContent, facts.closest(".claim")));
+  });
 })();

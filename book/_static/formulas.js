@@ -2,7 +2,7 @@
 // shows on which sides there is more, and at first its fault is in view (a boxed entry, a changed part).
 "use strict";
 (() => {
-  const FAULT = ":is(.boxed, .changed):not(mjx-assistive-mml *)";
+  const FAULT = ".boxed, .changed";
   const placed = new WeakSet(); // from then on, where it stands is the reader's choice
 
   const set = (box, attributes) => {

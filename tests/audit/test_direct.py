@@ -69,7 +69,7 @@ def test_a_broken_engine_is_stopped_with_both_shown(
 def test_a_broken_engine_stops_an_audit(
     monkeypatch: pytest.MonkeyPatch, tiny_folder: Path, answer: Any
 ) -> None:
-    monkeypatch.setattr(identities, "confirmed_equal", lambda *_, **__: answer)
+    monkeypatch.setattr(identities, "equal_to_derived", lambda *_, **__: answer)
     with pytest.raises(DisagreementError, match="direct evaluation contradicts broken"):
         run.audit_paper(tiny_folder)
 

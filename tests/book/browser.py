@@ -23,11 +23,16 @@ _LOOK = """() => {
   const text = (element) => element.textContent.slice(0, 80);
   return {
     width: document.documentElement.scrollWidth,
-    formulas: all("mjx-container").length,
-    errors: all("[data-mjx-error], [data-mml-node=merror], mjx-merror").map(text),
-    bare: all(".math").filter((e) => !e.querySelector("mjx-container")).map(text),
+    formulas: all("math").length,
+    bare: all(".math").filter((e) => !e.querySelector("math")).map(text),
   };
 }"""
+_STOPS = """() => [
+  ...document.querySelectorAll("a[href], button, input, select, textarea, summary, [tabindex]"),
+]
+  .filter((e) => e.tabIndex >= 0 && !e.disabled)
+  .filter((e) => e.checkVisibility({ visibilityProperty: true })).length
+"""
 _FORMULAS = Path(__file__).with_name("formulas.js").read_text(encoding="utf-8")
 _UNFOLD = """() => {
   const folded = [...document.querySelectorAll("details:not([open])")];
@@ -69,7 +74,6 @@ class Sight:
 
     width: int
     formulas: int
-    errors: list[str]
     bare: list[str]
     said: list[str]
 
@@ -99,15 +103,15 @@ def names(report: Path) -> list[str]:
     return sorted(path.name for path in report.glob("*.html"))
 
 
-def leave_formulas(page: Page) -> None:
-    """Give the page an empty script for MathJax: where formulas are not looked at, save seconds."""
-    page.route("**/mathjax/*", lambda route: route.fulfill(content_type="text/javascript", body=""))
-
-
 def width(page: Page, screen: int) -> int:
     """Return how wide an open page is on a screen of this width."""
     page.set_viewport_size({"width": screen, "height": 800})
     return int(page.evaluate("() => document.documentElement.scrollWidth"))
+
+
+def tab_stops(page: Page) -> int:
+    """Return how many elements of an open page the tabulator stops at."""
+    return int(page.evaluate(_STOPS))
 
 
 def unseen_formulas(page: Page) -> list[str]:
@@ -129,9 +133,8 @@ def unfolded(page: Page) -> Iterator[None]:
 
 
 def visit(page: Page, address: str) -> None:
-    """Open an address and wait until its formulas are set."""
+    """Open an address."""
     page.goto(address)
-    page.evaluate("() => window.MathJax?.startup?.promise")
 
 
 def look(page: Page, root: str, name: str) -> Sight:

@@ -1,8 +1,7 @@
 // Every formula of a page that cannot be seen whole, and why. Only geometry counts: where its ink is
 // painted, what cuts, and how far what scrolls can be scrolled.
 () => {
-  const FORMULA = ".math, math, mjx-container, .katex, [role=math]"; // whatever sets it
-  const UNSEEN = "defs, mjx-assistive-mml, .katex-mathml"; // for programs and screen readers
+  const FORMULA = ".math, math, [role=math]"; // whatever sets it
   const SLACK = 1; // pixels: edges are rounded
   const AXES = [
     { start: "left", end: "right", overflow: "overflowX", scroll: "scrollLeft", length: "scrollWidth", border: "clientLeft", inner: "clientWidth" },
@@ -36,7 +35,7 @@
       // MathML's elements are as large as their ink, and text is as high as its line.
       const [own, outer] = [node, element].map((e) => e instanceof MathMLElement);
       const bare = node.data ? outer || !node.data.trim() : node.firstChild && !own;
-      if (bare || element.closest(UNSEEN)) continue;
+      if (bare) continue;
       range.selectNode(node);
       let box = plain((node.data ? range : node).getBoundingClientRect());
       for (let svg = element.closest("svg"); svg?.ownerSVGElement; svg = svg.ownerSVGElement)
@@ -49,7 +48,7 @@
   // What holds a formula, from the inside: the parts that can cut it, and all that it stands in.
   const holders = (formula) => {
     const chain = [];
-    let element = [...formula.querySelectorAll("mjx-container, svg:not(svg svg)")].at(-1) || formula;
+    let element = [...formula.querySelectorAll("svg:not(svg svg)")].at(-1) || formula;
     for (; element && element !== document.body; element = element.parentElement) chain.push(element);
     return chain;
   };

@@ -27,7 +27,6 @@ def take() -> None:
             viewport={"width": WIDTH, "height": 1200}, device_scale_factor=SCALE
         )
         page.goto(f"{BUILT.as_uri()}/{PAGE}#{CARD}")
-        page.evaluate("() => window.MathJax.startup.promise")
         page.add_style_tag(content=f"{HIDDEN} .claim:target {{ outline: none !important; }}")
         page.locator("section.claim", has=page.locator(f"#{CARD}")).last.screenshot(
             path=ROOT / "report.png"

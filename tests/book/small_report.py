@@ -37,7 +37,7 @@ def small_results(folder: Path) -> Path:
     pages: dict[str, list[Fragment | Written]] = {
         "index": [all_papers.counts(), all_papers.headlines(HEADLINES)],
         "findings": [all_papers.findings()],
-        "omni-arrangement": [*chapter, paper.rest()],
+        "omni-arrangement": [*chapter, paper.every_row()],
     }
     for name in read_settings(Path("workflow/config.yaml"), root=ROOT).chapters:
         pages.setdefault(name, [])  # the table of contents names it

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 from small_report import RESULTS, ROOT, small_results
 
-from omniproof.report.book import BookError, build, read_ledgers, stage
+from omniproof.audit.ledger import read_ledgers
+from omniproof.report.book import BookError, build, stage
 from omniproof.report.fragments.overview import read_edition
 from omniproof.report.validate import validate_book
 

@@ -5,18 +5,21 @@ from __future__ import annotations
 import pytest
 
 from omniproof.audit.ledger import Ledger
-from omniproof.report.cards import card_faults
+from omniproof.report.cards import card_faults, opened
 from omniproof.report.derived import Derived
+from omniproof.report.finish import set_formulas
 from omniproof.report.fragments import Chapter
+from omniproof.report.fragments.rows import details_script, read_details
 
 PAGE = "omni-arrangement.html"
 
 
 @pytest.fixture
 def text(chapter: Chapter) -> str:
-    """A page with a table, a list and cards."""
-    parts = [chapter.table("tab:2["), chapter.listing("tab:1[", "xref"), chapter.rest()]
-    return "".join(part.html for part in parts)
+    """A page with every row, as if all were opened."""
+    details = read_details(details_script(chapter.ledger))
+    page = chapter.table("tab:2[").html + chapter.every_row().html
+    return set_formulas([opened(page, details)])[0]
 
 
 def test_nothing_is_lacking(text: str, ledger: Ledger) -> None:

@@ -11,7 +11,10 @@ from hypothesis import strategies as st
 
 from omniproof.report.typstmath import cell, contrasted, inline, is_formula, math, spoken, words
 
-MARKS = "#let old(body) = body\n#let new(body) = body\n#let boxed(body) = body\n"
+MARKS = (
+    "#let old(body) = body\n#let new(body) = body\n#let boxed(body) = body\n"
+    "#let changed(body) = body\n#let aligned(..rows) = rows.pos().map(row => row.join()).join()\n"
+)
 
 
 def bare(markup: str) -> str:
@@ -53,6 +56,11 @@ def compiles(markup: str) -> bool:
         pytest.param(r"x \text{ if } y", '$x class("normal", " if ") y$', id="words"),
         pytest.param(r"\operatorname{atan}_2", '$attach(op("atan"), b: 2)$', id="operator"),
         pytest.param(r"a &= b \tag{3}", "$a = b$", id="alignment and tag are left out"),
+        pytest.param(r"\begin{aligned} a &= b \end{aligned}", "$aligned(a, = b;)$", id="aligned"),
+        pytest.param(
+            r"a \mathbin{\changed{+}} b", '$a class("binary", changed(+)) b$', id="marked"
+        ),
+        pytest.param(r"\binom{a}{b}", "$binom(a, b)$", id="binomial"),
         pytest.param(r"\frac{}{2}", '$frac("", 2)$', id="empty argument"),
     ],
 )

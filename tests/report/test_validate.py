@@ -10,7 +10,9 @@ import pytest
 
 from omniproof.audit.ledger import Ledger
 from omniproof.report.code_pages import write_code
+from omniproof.report.finish import set_formulas
 from omniproof.report.fragments import Chapter, Overview
+from omniproof.report.fragments.rows import write_details
 from omniproof.report.validate import InvalidBookError, Page, validate_book
 
 CHAPTER = "omni-arrangement.html"
@@ -24,14 +26,15 @@ def sound(tmp_path_factory: pytest.TempPathFactory) -> Path:
     chapter, overview = Chapter.open("omni-arrangement", RESULTS), Overview.open(RESULTS)
     first = [chapter.counts(), chapter.answers(), chapter.figure(5), chapter.table("tab:2[")]
     pages = {
-        CHAPTER: [*first, chapter.rest()],
+        CHAPTER: [*first, chapter.every_row()],
         "index.html": [overview.counts(), overview.headlines({"omni-arrangement eq:6[1,2]": "x"})],
     }
     for name, fragments in pages.items():
-        body = "".join(fragment.html for fragment in fragments)
+        (body,) = set_formulas(["".join(fragment.html for fragment in fragments)])
         (folder / name).write_text(f"<title>x</title><main>{body}</main>", encoding="utf-8")
     shutil.copytree(RESULTS / "figures", folder / "figures")
     write_code(folder)
+    write_details(folder, [chapter.ledger])
     (folder / "corrigenda").mkdir()
     for name in ("ledger.csv", "corrigenda/omni-arrangement.pdf"):
         (folder / name).write_bytes(b"")

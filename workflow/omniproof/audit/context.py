@@ -41,7 +41,8 @@ class Context:
 
     Derived once: `derived`, by what derives it and the reading of its convention, so that claims
     with one derivation share it; `domains`, where claims are judged, and `converters`, which know
-    the symbols of each claim.
+    the symbols of each claim. Without `mends`, no misprint is mended: the derived form is the
+    correction, and it comes at once.
     """
 
     loaded: LoadedPaper
@@ -51,6 +52,7 @@ class Context:
     derived: dict[tuple[Callable[..., Any], tuple[str, ...]], Any] = field(default_factory=dict)
     domains: dict[str, Domain] = field(default_factory=dict)
     converters: dict[str, Converter] = field(default_factory=dict)
+    mends: bool = True
 
     @cached_property
     def claims(self) -> dict[str, Claim]:

@@ -182,6 +182,8 @@ def _follows_from_premises(cell: Cell) -> bool:
 
 def _mend(cell: Cell, place: int, voice: Voice) -> Mended | None:
     """Return the printed text with the least edit that makes the side at `place` true, if any."""
+    if not voice.context.mends:
+        return None
     begin, end = cell.places[place]
     found = mend_claim(cell.text[begin:end], cell.derived, voice, cell.factor)
     return found.inside(cell.text[:begin], cell.text[end:]) if found else None

@@ -143,6 +143,11 @@ def read_json(path: Path) -> Ledger:
     return Ledger.model_validate_json(path.read_bytes())
 
 
+def read_ledgers(results: Path) -> tuple[Ledger, ...]:
+    """Read every ledger of the folder of results, by name of paper."""
+    return tuple(read_json(path) for path in sorted((results / "ledger").glob("*.json")))
+
+
 def to_csv(ledgers: Iterable[Ledger]) -> str:
     """Lay the rows of all papers under one header, in order of place."""
     text = io.StringIO()

@@ -15,13 +15,13 @@ from omniproof.audit.ledger import Ledger, Row
 from omniproof.audit.other_notation import misread
 from omniproof.audit.own_text import refuse_own_text, same_by_name
 from omniproof.audit.readings import load_readings, unfit
-from omniproof.audit.wavering import choose
+from omniproof.audit.wavering import choose, choose_among
 from omniproof.decide.answer import DisagreementError
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import Grid
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
-from omniproof.transcription.loader import load_sound_part
+from omniproof.transcription.loader import load_paper, load_sound_part
 from omniproof.transcription.matching import unmatched
 from omniproof.transcription.model import Claim, Form, Kind, Role
 from omniproof.transcription.symbols import symbol_name
@@ -57,6 +57,22 @@ def prepare_to_judge(folder: Path) -> Context:
     context = prepare(folder)
     context.choices = choose(context)
     return context
+
+
+def open_to_judge(folder: Path) -> Context:
+    """Load a paper to judge single claims: nothing is checked that its whole audit checks.
+
+    Raises `BadInput` when its files cannot be read. See `choose_reading` before one is judged.
+    """
+    loaded = load_paper(folder)
+    key = loaded.paper.key
+    return Context(loaded, _registry(key), load_readings(key))
+
+
+def choose_reading(claim: str, context: Context) -> None:
+    """Choose the readings of the convention that a claim depends on, if it does."""
+    if convention := context.derivation(claim).convention:
+        context.choices = {**context.choices, **choose_among(convention, context)}
 
 
 def prepare(folder: Path) -> Context:

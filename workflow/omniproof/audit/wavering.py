@@ -30,11 +30,12 @@ def choose(context: Context) -> dict[str, str]:
     return {
         claim: reading
         for convention in context.registry.conventions
-        for claim, reading in _choose(convention, context).items()
+        for claim, reading in choose_among(convention, context).items()
     }
 
 
-def _choose(convention: str, context: Context) -> dict[str, str]:
+def choose_among(convention: str, context: Context) -> dict[str, str]:
+    """Choose a reading for each claim that depends on one convention."""
     options = context.registry.conventions[convention].options
     group = [c for c in context.loaded.claims if _depends(c, context) == convention]
     faults = {

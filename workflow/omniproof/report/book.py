@@ -15,10 +15,12 @@ import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from omniproof.audit.ledger import Ledger, read_json, schema
+from omniproof.audit.ledger import Ledger, read_ledgers, schema
 from omniproof.recovery import list_files
 from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
+from omniproof.report.finish import finish
+from omniproof.report.fragments.rows import write_details
 from omniproof.report.search_index import claims_script
 from omniproof.report.theme import stylesheet
 
@@ -33,11 +35,6 @@ _COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 
 class BookError(RuntimeError):
     """The book was not built; the message is what a person needs to mend it."""
-
-
-def read_ledgers(results: Path) -> tuple[Ledger, ...]:
-    """Read every ledger of the folder of results, by name of paper."""
-    return tuple(read_json(path) for path in sorted((results / "ledger").glob("*.json")))
 
 
 def stage(book: Path, results: Path, papers: Path, source: Path) -> None:
@@ -80,6 +77,7 @@ def _stage_data(results: Path, ledgers: Sequence[Ledger], extra: Path) -> None:
     }
     for name, text in texts.items():
         (extra / name).write_text(text, encoding="utf-8")
+    write_details(extra, ledgers)
     write_code(extra)
 
 
@@ -99,6 +97,7 @@ def build(source: Path, html: Path) -> None:
     if run.returncode or not (pages / "index.html").is_file():
         raise BookError(_complaints(run.stdout + run.stderr, source))
     (pages / ".buildinfo").unlink(missing_ok=True)
+    finish(pages)
     list_files(pages, html.parent / "files.txt")
     if html.exists():
         html.rename(work / "earlier")  # so that a report which stands is always a whole one

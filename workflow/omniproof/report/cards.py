@@ -1,8 +1,9 @@
-"""Read the cards of finished pages back: each has its note whole, a fault all that is known of it.
+"""Read the rows of finished pages back: each has its note whole, a fault all that is known of it.
 
-A card is a list of terms (`dl.facts`) inside an element of class `claim`. What has to be in it
-follows from the row: a correction wants "should read", a witness "counterexample", and so on. The
-buttons (copy, dispute) are made by a script from the attributes of the list.
+A row is a line of the table on the page; opened, it has its details below, which a file beside the
+page brings: its card, a list of terms (`dl.facts`). What has to be in it follows from the ledger: a
+correction wants "should read", a witness "counterexample", and so on. The buttons (copy, dispute)
+are made by a script from the attributes of the list.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from omniproof.report.anchors import anchor
 from omniproof.report.changes import changes
 from omniproof.report.code_pages import code_link
 from omniproof.report.derived import Derived
+from omniproof.report.finish import set_formulas
 from omniproof.report.fragments.base import note_html
 from omniproof.report.latexfmt import is_latex
 from omniproof.report.theme import MARKS
@@ -34,6 +36,7 @@ TERMS: Mapping[str, str] = {
 }
 """Column of the ledger -> the term under which a card has it."""
 
+_LINE = re.compile(r'(<tr class="claim [^>]*? (?:id|data-row)="([^"]+)".*?)(</td></tr>)', re.DOTALL)
 _TAG = re.compile(r"<[^>]*>")
 _VOID = frozenset({"br", "img", "input", "link", "meta", "hr", "col", "source", "wbr"})
 
@@ -110,23 +113,29 @@ class Cards(HTMLParser):
             self._card.terms[self._term] = self._card.terms.get(self._term, "") + data
 
 
+def opened(text: str, details: Mapping[str, str]) -> str:
+    """Return the HTML of a page with the details of every row in it, as if all were opened."""
+    return _LINE.sub(lambda line: line[1] + details.get(line[2], "") + line[3], text)
+
+
 def card_faults(page: str, text: str, ledger: Ledger, derived: Derived) -> Iterator[str]:
     """Name everything that the card of a row lacks, as `page: claim lacks what`.
 
-    Every card has the whole note of its row; that of a faulty one has more.
+    `text`: of the page with all rows opened. Every row has its whole note; a faulty one has more.
     """
     cards = Cards(text).cards
-    for row in ledger.rows:
+    notes = set_formulas(note_html(row.remark, lambda _: None) for row in ledger.rows)
+    for row, note in zip(ledger.rows, notes, strict=True):
         card = cards.get(f"#{anchor(row.id)}")
-        lacking = [] if card is None or _says(card, row.remark) else ["its whole note"]
+        lacking = [] if card is None or _says(card, note) else ["its whole note"]
         if row.verdict.is_fault:
             lacking += _lacking(row, card, derived) if card else ["a card"]
         yield from (f"{page}: {row.id} lacks {what}" for what in lacking)
 
 
 def _says(card: Card, note: str) -> bool:
-    """Whether a note stands on a card, word by word; blanks depend on the elements around."""
-    shown = unescape(_TAG.sub("", note_html(note, lambda _: None)))
+    """Whether a note (HTML) stands on a card; blanks depend on the elements around."""
+    shown = unescape(_TAG.sub("", note))
     return "".join(shown.split()) in "".join(card.words.split())
 
 

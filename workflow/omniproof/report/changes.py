@@ -2,7 +2,7 @@ r"""What a correction changes: the differing parts of two formulas, marked in bo
 
 Formulas are compared token by token. What differs grows until it is whole (brackets close, no
 command loses its argument, no index its base), because only then can it be marked and set alone.
-The mark is the macro `\changed`, which the book defines for MathJax (`book/_config.yml`).
+The mark is the macro `\changed` (see `omniproof.report.mathml`).
 """
 
 from __future__ import annotations

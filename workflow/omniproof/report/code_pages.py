@@ -1,7 +1,7 @@
 """The derivations as pages that a card can link to, line by line: a verdict rests on this code.
 
 A browser does not open a `.py` file at a line, and not from disk at all. So each file of
-derivations becomes one page without scripts, in the colours of the report.
+derivations becomes one page, in the colours and the mode of the report, with a way back.
 """
 
 from __future__ import annotations
@@ -38,24 +38,40 @@ def code_link(source: str) -> str:
 def _page(name: str, code: str) -> str:
     body = highlight(code, PythonLexer(), _formatter(LIGHT))
     up = "../" * code_link(f"{name}:1").count("/")
+    chapter = Path(name).parts[2].replace("_", "-")
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(name)}'
         '</title><meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<style>{_style()}</style></head><body><main><h1>{escape(name)}</h1>"
-        f'<p><a href="{up}index.html">omniproof</a></p>{body}</main></body></html>\n'
+        f"<style>{_style()}</style><script>{_THEME}</script></head><body>"
+        f'<nav aria-label="way back"><a href="{up}index.html">omniproof</a> › '
+        f'<a href="{up}{chapter}.html">{chapter}</a></nav><main><h1>{escape(name)}</h1>'
+        "<p>What mechanics gives for claims of this paper, as code: each function is bound to the "
+        f"claims that it derives.</p>{body}</main></body></html>\n"
     )
 
 
 def _formatter(style: str) -> HtmlFormatter[str]:
-    return HtmlFormatter(style=style, lineanchors="L", linespans="line", anchorlinenos=True)
+    # Each line is an element with an address, not a link: nothing of it is in the tab order.
+    return HtmlFormatter(style=style, linespans="L")
 
 
 def _style() -> str:
     """Return the style sheet of both modes; the line that a link leads to has a bar."""
     light, dark = (_formatter(name).get_style_defs(".highlight") for name in (LIGHT, DARK))
+    dark = "".join(f"html[data-theme=dark] {rule}\n" for rule in dark.splitlines() if rule)
     return (
-        ":root{color-scheme:light dark}body{margin:0 auto;max-width:60rem;padding:1rem;"
-        "font-family:sans-serif}h1{font-size:1.2rem;overflow-wrap:anywhere}"
-        "pre{overflow-x:auto;line-height:1.4}span:has(>a:target){border-left:3px solid;"
-        f"padding-left:.4rem}}{light}@media (prefers-color-scheme:dark){{{dark}}}"
+        f"{_FRAME}{light}\n{dark}pre{{line-height:1.45}}"
+        "[id^=L-]{scroll-margin-top:30vh}[id^=L-]:target{box-shadow:-.5rem 0 0 currentcolor}"
     )
+
+
+_FRAME = (
+    "body{margin:0 auto;max-width:60rem;padding:1rem;font-family:-apple-system,'Segoe UI',Roboto,"
+    "'Helvetica Neue',Arial,sans-serif;color:#222832;background:#fff}h1{font-size:1.3rem;"
+    "overflow-wrap:anywhere}pre{white-space:pre-wrap;overflow-wrap:anywhere;font-size:.9rem}"
+    "nav{position:sticky;top:0;padding:.4rem 0;background:inherit}"
+    "a{color:#0a5fa8}html[data-theme=dark] body{color:#ced6dd;background:#14181e}"
+    "html[data-theme=dark] a{color:#7fc4ff}"
+)
+_THEME = 'try{document.documentElement.dataset.theme=localStorage.getItem("theme")||"light"}catch{}'
+"""The mode that was chosen in the book, before the first paint; light without storage."""

@@ -16,7 +16,7 @@ import omniproof
 from omniproof.audit.ledger import Ledger, Row, Verdict
 from omniproof.corrected.formula import derived_form
 from omniproof.registry import Registry, load_registry
-from omniproof.transcription.ids import base, index
+from omniproof.transcription.ids import base, index, whole
 
 LONGEST = 1500
 """Characters of SymPy text; a longer one would make the page heavy, and is read from the code."""
@@ -29,9 +29,9 @@ class Derived:
 
     def __init__(self, ledger: Ledger) -> None:
         try:
-            self._registry = load_registry(ledger.paper)
+            self.registry = load_registry(ledger.paper)
         except ModuleNotFoundError:
-            self._registry = Registry(ledger.paper)
+            self.registry = Registry(ledger.paper)
         self._rows = {base(row.id): row for row in ledger.rows}
         self._forms: dict[str, Any] = {}
 
@@ -39,7 +39,7 @@ class Derived:
         """Return what is derived for a claim, or an entry of it, as SymPy writes it, or nothing."""
         name = self._bound(claim_id)
         if name not in self._forms:
-            self._forms[name] = derived_form(self._registry, name, self._reading(name))
+            self._forms[name] = derived_form(self.registry, name, self.reading(name))
         form = self._forms[name]
         if isinstance(form, MatrixBase):
             form = _entry(form, index(claim_id)) if name != claim_id else form
@@ -48,7 +48,7 @@ class Derived:
 
     def source(self, claim_id: str) -> str:
         """Return file and line of a derivation, from the package's folder; nothing for none."""
-        derivation = self._registry.derivations.get(self._bound(claim_id))
+        derivation = self.registry.derivations.get(self._bound(claim_id))
         if derivation is None:
             return ""
         code = inspect.unwrap(derivation.build).__code__
@@ -57,22 +57,23 @@ class Derived:
 
     def _bound(self, claim_id: str) -> str:
         """Return the id that has a derivation: the claim's own, or that of its matrix."""
-        return claim_id if claim_id in self._registry.derivations else base(claim_id)
+        return claim_id if claim_id in self.registry.derivations else base(claim_id)
 
-    def _reading(self, name: str) -> str:
-        """Return the reading of the convention that a claim was judged under."""
-        derivation = self._registry.derivations.get(name)
+    def reading(self, name: str) -> str:
+        """Return the reading of the convention that a claim was judged under, if it is on one."""
+        derivation = self.registry.derivations.get(name)
         if derivation is None or not derivation.convention:
             return ""
-        convention, row = self._registry.conventions[derivation.convention], self._rows[name]
-        votes = [row] if row.verdict is not Verdict.ERRATUM else self._group(derivation.convention)
+        convention, row = self.registry.conventions[derivation.convention], self._rows[name]
+        votes = [row] if row.verdict is not Verdict.ERRATUM else self._neighbours(name)
         by_another = [each for each in votes if _is_by_another(each, derivation.convention)]
         return convention.others[0] if 2 * len(by_another) > len(votes) else convention.stated
 
-    def _group(self, convention: str) -> list[Row]:
-        """Return the rows that depend on a convention; a misprint is held against what most say."""
-        names = (c for c, d in self._registry.derivations.items() if d.convention == convention)
-        return [self._rows[name] for name in names if name in self._rows]
+    def _neighbours(self, name: str) -> list[Row]:
+        """Return the rows of a misprint's display that depend on its convention."""
+        convention = self.registry.derivations[name].convention
+        bound = (c for c, d in self.registry.derivations.items() if d.convention == convention)
+        return [self._rows[c] for c in bound if c in self._rows and whole(c) == whole(name)]
 
 
 def _is_by_another(row: Row, convention: str) -> bool:

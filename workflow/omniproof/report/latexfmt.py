@@ -1,7 +1,7 @@
-r"""What the ledger holds in LaTeX, made fit for a page (MathJax) and for a terminal (Unicode).
+r"""What the ledger holds in LaTeX, made fit for a page (MathML) and for a terminal (Unicode).
 
 A ledger cell is LaTeX, a decimal, or words with `$math$` in them. The text comes from outside, so
-it is escaped, and LaTeX that MathJax could not set (a fragment with an open bracket) or should not
+it is escaped, and LaTeX that could not be set (a fragment with an open bracket) or should not
 (commands that make links or macros) is shown as code: ugly, but never an error on the page.
 """
 
@@ -39,7 +39,7 @@ def is_latex(text: str) -> bool:
 
 
 def is_settable(latex: str) -> bool:
-    """Whether MathJax can set this: brackets, environments and delimiters all close."""
+    """Whether this can be set: brackets, environments and delimiters all close."""
     if _FORBIDDEN.search(latex):
         return False
     open_names: list[str] = []
@@ -62,8 +62,9 @@ def _braces_close(latex: str) -> bool:
 
 
 def math(latex: str, *, display: bool = False) -> str:
-    r"""Return HTML that MathJax sets, a span of class `math` around `\(...\)`; at worst, code.
+    r"""Return HTML of a formula, a span of class `math` around `\(...\)`; at worst, code.
 
+    It is set when the pages are finished.
     `display`: the large style, in a box of its own that scrolls when it is too wide.
     """
     body = TAG.sub("", latex).strip()

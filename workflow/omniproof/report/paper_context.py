@@ -7,7 +7,7 @@ from pathlib import Path
 import omniproof
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Ledger
-from omniproof.registry import Registry, load_registry
+from omniproof.report.derived import Derived
 from omniproof.transcription.loader import FILE, load_paper
 
 CHECKOUT = Path(omniproof.__file__).parents[2]
@@ -26,18 +26,7 @@ def paper_folder(paper: str) -> Path:
 
 
 def paper_context(ledger: Ledger) -> Context:
-    """Load a paper with the readings of its conventions that its ledger was judged under.
-
-    The ledger flags a convention where the paper's formulas follow another one than it states.
-    """
-    faulty = {row.id for row in ledger.rows if row.verdict.is_fault}
-    try:
-        registry = load_registry(ledger.paper)
-    except ModuleNotFoundError:
-        registry = Registry(ledger.paper)
-    choices = {
-        name: convention.others[0]
-        for name, convention in registry.conventions.items()
-        if name in faulty
-    }
-    return Context(load_paper(paper_folder(ledger.paper)), registry, {}, choices)
+    """Load a paper with the readings of its conventions that its ledger was judged under."""
+    derived = Derived(ledger)
+    choices = {row.id: reading for row in ledger.rows if (reading := derived.reading(row.id))}
+    return Context(load_paper(paper_folder(ledger.paper)), derived.registry, {}, choices)

@@ -28,9 +28,10 @@ _VARIANTS = {"phi": "phi.alt", "varphi": "phi", "epsilon": "epsilon.alt", "varep
 SYMBOLS = {
     **{name: name for name in GREEK},
     **_VARIANTS,
-    **{name: name for name in ("cos", "sin", "tan", "det", "ln", "exp", "lim", "max", "min")},
-    **{name: name for name in ("in", "times", "perp", "prime", "angle", "nabla", "emptyset")},
-    "int": "integral", "leq": "lt.eq", "le": "lt.eq", "geq": "gt.eq", "ge": "gt.eq",
+    **{name: name for name in ("cos", "sin", "tan", "cot", "det", "ln", "exp", "lim")},
+    **{name: name for name in ("max", "min", "sum", "in", "times", "perp", "prime", "angle")},
+    "nabla": "nabla", "emptyset": "emptyset", "int": "integral", "propto": "prop",
+    "leq": "lt.eq", "le": "lt.eq", "geq": "gt.eq", "ge": "gt.eq", "mp": "minus.plus",
     "neq": "eq.not", "ne": "eq.not", "pm": "plus.minus", "cdot": "dot.op", "to": "arrow.r",
     "rightarrow": "arrow.r", "Leftrightarrow": "arrow.l.r.double", "ldots": "dots", "dots": "dots",
     "cdots": "dots.c", "cup": "union", "cap": "inter", "mid": 'class("relation", bar.v)',
@@ -38,7 +39,7 @@ SYMBOLS = {
     "|": 'class("normal", bar.v.double)', "{": r"\{", "}": r"\}", "%": "percent", "_": '"_"',
     " ": "space.nobreak",
     ",": "thin", ";": "thick", ":": "med", "!": "", "quad": "quad", "qquad": "wide",
-    "\\": "quad", "limits": "", "displaystyle": "", "big": "", "Big": "",
+    "\\": "quad", "limits": "", "nolimits": "", "displaystyle": "", "big": "", "Big": "",
 }  # fmt: skip
 """What a command without arguments becomes; an empty text leaves it out."""
 
@@ -46,10 +47,14 @@ FUNCTIONS = {
     "frac": "frac", "dfrac": "frac", "tfrac": "frac", "dot": "dot", "ddot": "dot.double",
     "hat": "hat", "bar": "macron", "overline": "overline", "tilde": "tilde", "widetilde": "tilde",
     "vec": "arrow", "boldsymbol": "bold", "mathcal": "cal", "mathbb": "bb", "mathit": "italic",
-    "mathbf": "bold(upright", "mathrm": "upright", "operatorname": "upright", "sqrt": "sqrt",
-    "boxed": "boxed",
+    "mathbf": "bold(upright", "mathrm": "upright", "mathsf": "sans", "operatorname": "upright",
+    "sqrt": "sqrt", "binom": "binom", "boxed": "boxed", "changed": "changed",
 }  # fmt: skip
-"""What a command with arguments becomes; a fraction has two, everything else one."""
+"""What a command with arguments becomes; two of them have two, everything else one."""
+
+_OF_TWO = frozenset({"frac", "binom"})
+_CLASSES = {"mathbin": "binary", "mathrel": "relation", "mathop": "large"}
+"""Commands that say what space there is around their argument."""
 
 _SIGNS = {
     "+": "+", "-": "-", "=": "=", "<": "<", ">": ">", "(": r"\(", ")": r"\)", "[": r"\[",
@@ -294,6 +299,8 @@ class _Reader:
             return self._environment(name[5:].strip(" {}"))
         if name in FUNCTIONS:
             return self._function(name)
+        if name in _CLASSES:
+            return (Piece((f'class("{_CLASSES[name]}", ', ")"), (self._argument(),)),)
         if name not in SYMBOLS:
             raise UnsettableError(f"unknown: \\{name}")
         return (Piece((SYMBOLS[name],)),) if SYMBOLS[name] else ()
@@ -301,8 +308,8 @@ class _Reader:
     def _function(self, name: str) -> Row:
         call = FUNCTIONS[name]
         close = ")" * (call.count("(") + 1)
-        if call == "frac":
-            return (Piece(("frac(", ", ", ")"), (self._argument(), self._argument())),)
+        if call in _OF_TWO:
+            return (Piece((f"{call}(", ", ", ")"), (self._argument(), self._argument())),)
         if call == "sqrt" and self.next == "[":
             raise UnsettableError("a root with an index")
         return (Piece((f"{call}(", close), (self._argument(),)),)
@@ -341,8 +348,9 @@ class _Reader:
         if name == "cases":
             glue, parts = _grid(rows, " & ", ", ")
             return (Piece(("cases(", *glue, ")"), parts),)
-        if name in {"aligned", "gathered"}:
-            return tuple(piece for row in rows for cell in row for piece in cell)
+        if name in {"aligned", "gathered", "split"}:
+            glue, parts = _grid(rows, ", ", "; ")
+            return (Piece(("aligned(", *glue, ";)"), parts),)  # `;`: one row is a row, too
         raise UnsettableError(f"unknown environment {name}")
 
     def _cells(self, end: str) -> list[list[Row]]:

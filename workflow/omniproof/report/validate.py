@@ -18,9 +18,10 @@ from urllib.parse import unquote, urlsplit
 from omniproof.audit.ledger import Ledger, Verdict
 from omniproof.report.anchors import anchor, unique_anchors
 from omniproof.report.answered import answer_faults
-from omniproof.report.cards import card_faults
+from omniproof.report.cards import card_faults, opened
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.counts import ALL, verdict_counts
+from omniproof.report.fragments.rows import FOLDER, read_details
 from omniproof.report.fragments.theorems import read_theorems
 from omniproof.report.prose import Prose
 
@@ -70,7 +71,6 @@ class Page(HTMLParser):
         self.counts: dict[tuple[str, str], list[str]] = {}
         self.words: list[str] = []
         self.prose = Prose()
-        self.size = len(text.encode())
         self._open: list[str] = []
         self._figure: tuple[str, str, list[str]] | None = None
         self._count: tuple[str, str] | None = None
@@ -142,10 +142,7 @@ def validate_book(html: Path, ledgers: Sequence[Ledger], figures: Iterable[Path]
     figures: drawings (`…/<paper>/figure-N.svg`) that some page has to show; those on a page are
     checked anyway. Raises `InvalidBookError` with everything that is wrong.
     """
-    pages = {
-        path.name: Page(path.name, path.read_text(encoding="utf-8"))
-        for path in sorted(html.glob("*.html"))
-    }
+    pages = {path.name: Page(path.name, _opened(path)) for path in sorted(html.glob("*.html"))}
     faults = [
         *_sum_faults(pages.get("index.html"), ledgers),
         *(fault for ledger in ledgers for fault in _chapter_faults(pages, ledger)),
@@ -157,6 +154,13 @@ def validate_book(html: Path, ledgers: Sequence[Ledger], figures: Iterable[Path]
     ]
     if faults:
         raise InvalidBookError(faults)
+
+
+def _opened(page: Path) -> str:
+    """Return the HTML of a page with the details of all rows that it shows."""
+    file = page.parent / FOLDER / f"{page.stem}.js"
+    details = read_details(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    return opened(page.read_text(encoding="utf-8"), details)
 
 
 def _chapter_faults(pages: dict[str, Page], ledger: Ledger) -> Iterator[str]:
@@ -179,7 +183,7 @@ def _claim_faults(html: Path, ledger: Ledger) -> Iterator[str]:
     """What answers and cards of a chapter lack; one that is missing has been named before."""
     page = html / f"{ledger.paper}.html"
     if page.is_file():
-        text = page.read_text(encoding="utf-8")
+        text = _opened(page)
         yield from card_faults(page.name, text, ledger, Derived(ledger))
         yield from answer_faults(page.name, text, ledger)
 
@@ -219,8 +223,8 @@ def _shown_faults(pages: dict[str, Page], drawing: Path) -> Iterator[str]:
 
 
 def _page_faults(html: Path, page: Page, pages: dict[str, Page]) -> Iterator[str]:
-    if page.size > LARGEST:
-        yield f"{page.name}: has {page.size} bytes, more than {LARGEST}"
+    if (size := (html / page.name).stat().st_size) > LARGEST:
+        yield f"{page.name}: has {size} bytes, more than {LARGEST}"
     for number in page.prose.typed_numbers():
         yield f"{page.name}: a typed number: {number} (mark a choice: [{number}]{{.given}})"
     yield from (f"{page.name}: the id {i} occurs {n} times" for i, n in _repeated(page.ids))

@@ -1,8 +1,8 @@
 r"""What a notebook shows: each call returns one `Fragment` of finished, deterministic HTML.
 
 Raw HTML is the format, because a claim needs an element with its own address, which Markdown
-cannot promise. Formulas are `\(...\)` inside class `math`: the one class that the book tells
-MathJax to look into, whatever surrounds it.
+cannot promise. Formulas are `\(...\)` inside class `math`, which Jupyter sets, too; in the book
+they are MathML (`omniproof.report.finish`).
 """
 
 from omniproof.report.fragments.base import Fragment

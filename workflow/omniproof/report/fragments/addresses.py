@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from omniproof.audit.ledger import Ledger
-from omniproof.report.anchors import anchor, rows_anchor, selects, unique_anchors
-from omniproof.transcription.ids import base, whole
+from omniproof.report.anchors import anchor, selects, unique_anchors
+from omniproof.transcription.ids import base
 
 
 class Addresses:
@@ -29,6 +29,11 @@ class Addresses:
         inside = (address for claim, address in self._of_rows.items() if selects(claim_id, claim))
         return next(inside, None)
 
+    def href(self, claim_id: str) -> str | None:
+        """Return the link to a claim on its page, or None when there is no such place."""
+        address = self.find(claim_id)
+        return f"#{address}" if address else None
+
     def take(self, address: str) -> bool:
         """Give an anchor to an element that is no row; False when it has been given already."""
         free = address not in self._taken
@@ -43,9 +48,3 @@ class Addresses:
     def is_answered(self, claim_id: str) -> bool:
         """Whether the address of a claim is borne by the answer for it."""
         return claim_id in self._answered
-
-    def rows_of(self, claim_id: str) -> str | None:
-        """Return the address of the rows of an answered equation, for the first of them only."""
-        equation = whole(claim_id)
-        address = rows_anchor(equation)
-        return address if equation in self._answered and self.take(address) else None

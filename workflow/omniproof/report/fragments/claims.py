@@ -1,25 +1,21 @@
-"""Cards: one claim each, one line while nothing is wrong with it, everything needed when it is."""
+"""What is known of a claim, and the matrix that its rows are entries of."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 
 from omniproof.audit.evidence import Counterexample
-from omniproof.audit.ledger import Consequence, Origin, Repair, Row, Verdict
-from omniproof.audit.places import where
+from omniproof.audit.ledger import Consequence, Origin, Repair, Row
 from omniproof.report.anchors import anchor
-from omniproof.report.changes import Changes, changes
+from omniproof.report.changes import Changes
 from omniproof.report.code_pages import code_link
 from omniproof.report.derived import Derived
 from omniproof.report.fragments.base import (
     Href,
-    badge,
     interval_html,
     link,
-    note_html,
-    worst,
 )
 from omniproof.report.groups import Group, matrix_of
 from omniproof.report.latexfmt import GREEK, cell, inline, is_latex, math, same
@@ -28,7 +24,6 @@ from omniproof.transcription.model import Kind, Reading, Source
 _INTEGRAL = re.compile(r"int_(\w+)_from_(\w+)\((\w+)\)")
 _VALUE = re.compile(r"(\w+)\((\w+)\)")
 _PI = re.compile(r"\*?\bpi\b")
-FOLDED = frozenset({Verdict.VERIFIED, Verdict.UNCHECKABLE, Verdict.INCONSISTENT, Verdict.EDITORIAL})
 
 ENGINES: Mapping[str, str] = {
     "flint": "FLINT",
@@ -61,41 +56,6 @@ READINGS: Mapping[Reading, str] = {
 }
 
 
-def group_html(group: Group, href: Href, *, addressed: bool, derived: Derived | None = None) -> str:
-    """Return the card of a claim; `addressed`: the group's own id is free to be an address."""
-    if not group.is_matrix:
-        return "".join(
-            row_html(row, href, addressed=addressed or row.id != group.base, derived=derived)
-            for row in group.rows
-        )
-    verdict = worst(group.rows)
-    count = sum(row.verdict is verdict for row in group.rows)
-    address = f' id="{anchor(group.base)}"' if addressed else ""
-    head = (
-        f"{badge(verdict, f'{count} of {len(group.rows)}')} "
-        f'<span class="where">{inline(where(group.base))}</span>'
-    )
-    return (
-        f'<section class="claim matrix v-{verdict}"{address}><div class="claim-head">{head}</div>'
-        f"{matrix_html(group)}{_entries_html(group, href, derived)}</section>"
-    )
-
-
-def _entries_html(group: Group, href: Href, derived: Derived | None) -> str:
-    """Return the entries: those with a fault in the open, the sound ones folded."""
-    sound = [row for row in group.rows if row.verdict is Verdict.VERIFIED]
-    bare = bool(group.whole)
-
-    def cards(rows: Iterable[Row]) -> str:
-        return "".join(row_html(row, href, bare=bare, derived=derived) for row in rows)
-
-    open_ = cards(row for row in group.rows if row not in sound)
-    if not sound:
-        return open_
-    title = f"{len(sound)} verified" if open_ else "entry by entry"
-    return f"{open_}<details><summary>{title}</summary>{cards(sound)}</details>"
-
-
 def matrix_html(group: Group) -> str:
     """Return the matrix as printed, with a box around every entry that has a fault.
 
@@ -109,42 +69,6 @@ def matrix_html(group: Group) -> str:
 
 def _boxed(row: Row) -> str:
     return rf"\boxed{{{row.printed}}}" if row.verdict.is_fault else row.printed
-
-
-def row_html(
-    row: Row,
-    href: Href,
-    *,
-    addressed: bool = True,
-    bare: bool = False,
-    derived: Derived | None = None,
-) -> str:
-    """Return the card of one row: a line that unfolds when nothing is wrong with it, else open.
-
-    `bare` leaves out what is printed, where that stands above already; `derived` has the paper's
-    derivations.
-    """
-    changed = changes(row.printed, row.correction) if row.correction else None
-    printed = changed.printed if changed else row.printed
-    address = f' id="{anchor(row.id)}"' if addressed else ""
-    head = (
-        f'{badge(row.verdict)} <span class="where">{inline(row.where)}</span> '
-        f'<span class="printed">{"" if bare else cell(printed)}</span>'
-    )
-    note = f'<p class="note">{note_html(row.remark, href)}</p>' if row.remark else ""
-    facts = facts_html(row, href, derived, changed)
-    if row.verdict not in FOLDED:
-        return (
-            f'<article class="claim v-{row.verdict}"{address}>'
-            f'<div class="claim-head">{head}</div>{note}{facts}</article>'
-        )
-    if row.verdict.is_fault:
-        # No links: what opens and closes must not hold anything else to press. They are inside.
-        head += f'<span class="remark">{note_html(row.remark, lambda _: None)}</span>'
-    return (
-        f'<details class="claim v-{row.verdict}"{address}>'
-        f"<summary>{head}</summary>{note}{facts}</details>"
-    )
 
 
 def facts_html(

@@ -12,8 +12,7 @@ from collections.abc import Mapping
 from html import escape
 from pathlib import Path
 
-from omniproof.audit.ledger import Ledger, Origin, Verdict
-from omniproof.report.book import read_ledgers
+from omniproof.audit.ledger import Ledger, Origin, Verdict, read_ledgers
 from omniproof.report.fragments.base import Fragment, badge, results_folder, table
 from omniproof.report.fragments.claims import engine_names
 from omniproof.report.fragments.values import Value

@@ -11,12 +11,10 @@ from html import escape
 
 from omniproof.audit.ledger import Consequence, Row
 from omniproof.report.anchors import anchor
-from omniproof.report.changes import changes
 from omniproof.report.findings import GRAVITY, REACH
-from omniproof.report.fragments.base import Href, badge, link, note_html, table
-from omniproof.report.latexfmt import cell, is_latex
+from omniproof.report.fragments.base import Href, badge, table
+from omniproof.report.fragments.rows import said_html
 from omniproof.report.theme import MARKS
-from omniproof.transcription.model import Kind
 
 HEAD = ("paper", "place", "verdict", "kind", "changes", "finding")
 
@@ -52,7 +50,7 @@ def _line(place: int, row: Row, href: Href) -> str:
         _cell(MARKS[row.verdict].word, badge(row.verdict), GRAVITY.index(row.verdict)),
         _cell(row.kind, escape(row.kind)),
         _cell(reach, escape(reach), REACH.index(reach)),
-        _cell("", _finding(row, href)),
+        _cell("", said_html(row, href)),
     )
     return f'<tr class="v-{row.verdict}">{"".join(cells)}</tr>'
 
@@ -61,32 +59,3 @@ def _cell(word: str, html: str, order: int | None = None) -> str:
     search = f' data-search="{escape(word)}"' if word else ""
     sort = f' data-order="{order:04d}"' if order is not None else ""
     return f"<td{search}{sort}>{html}</td>"
-
-
-def _finding(row: Row, href: Href) -> str:
-    """Return what is printed, what is right, and what there is to say."""
-    changed = changes(row.printed, row.correction) if row.correction else None
-    printed = changed.printed if changed else row.printed
-    correct = changed.corrected if changed else row.correction or row.derived
-    follows = f" Follows from {link(row.follows, href)}." if row.follows else ""
-    note = note_html(row.remark, href) + follows
-    lines = (
-        _labelled(_printed(row), printed, href),
-        _labelled("correct", correct, href),
-        _labelled("true when", row.assumption, href),
-        f"<p>{note}</p>" if note else "",
-    )
-    return "".join(lines)
-
-
-def _printed(row: Row) -> str:
-    """Return what the ledger's column `printed` holds of this row: print, or what it says."""
-    said = row.kind in {Kind.RELATION, Kind.REFERENCE} and not is_latex(row.printed)
-    return "states" if said else "printed"
-
-
-def _labelled(word: str, text: str, href: Href) -> str:
-    if not text:
-        return ""
-    shown = cell(text, lambda claim: link(claim, href))
-    return f'<p class="line"><span class="quiet">{word}</span> {shown}</p>'

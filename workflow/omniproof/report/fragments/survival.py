@@ -90,7 +90,10 @@ def _faults(found: Sequence[Fault], href: Href) -> str:
         for fault in carrying
     )
     head = ["fault", "has the same fault", "stands once it is mended"]
-    return f"<h3>What rests on the faults</h3>{table(head, lines, 'fates')}{rest}"
+    shown = (
+        f"<details><summary>{len(carrying)} with followers</summary>{table(head, lines, 'fates')}"
+    )
+    return f"<h3>What rests on the faults</h3>{shown}</details>{rest}"
 
 
 def _places(rows: Iterable[Row], href: Href) -> str:
