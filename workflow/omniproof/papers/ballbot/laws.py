@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 from sympy import Expr, ImmutableMatrix, Integer, Symbol, atan, diag, pi, sqrt
 
 from omniproof.kinematics import ballbot
@@ -22,13 +20,11 @@ ISOTROPIC = atan(1 / sqrt(2))
 """Zenith angle (rad) at which the law of the rolling ball is isotropic; see `thm:zenith-angle`."""
 
 
-@cache
 def rolling() -> ImmutableMatrix:
     """Law of the rolling ball on (v_x, v_y, yaw rate relative to the ball): 3x3."""
     return ballbot.relative_law(PHI, RUNNING_RADIUS, BALL_RADIUS)
 
 
-@cache
 def at_rest() -> ImmutableMatrix:
     """Law of the same platform over a surface at rest, on (v_x, v_y, yaw rate): 3x3."""
     return ballbot.law_over_surface_at_rest(PHI, RUNNING_RADIUS)
