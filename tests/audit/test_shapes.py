@@ -97,8 +97,8 @@ def test_other_shapes_are_refuted(form: Form, subject: Curve, note: str) -> None
                      id="no root"),
         pytest.param("circle", Curve((t, sqrt(1 - t**2)), UNIT), "flint+modular+z3",
                      id="the square of a root is none"),
-        pytest.param("line", Curve((sqrt(1 + t**2), 2 * sqrt(1 + t**2)), UNIT), "flint+modular",
-                     id="a root is nothing for z3"),
+        pytest.param("line", Curve((sqrt(1 + t**2), 2 * sqrt(1 + t**2)), UNIT), "flint+modular+z3",
+                     id="a root that cancels"),
     ],
 )  # fmt: skip
 def test_engines_that_prove_every_step_are_named(form: str, curve_: Curve, engines: str) -> None:

@@ -20,6 +20,7 @@ from sympy.core.relational import Relational
 
 from omniproof.audit.balls import exact_number
 from omniproof.audit.confirm_order import confirmed_order, region_of
+from omniproof.audit.direct import NOWHERE
 from omniproof.audit.exact import subtract
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
@@ -117,7 +118,10 @@ class _Comparison:
         """Values of the symbols that are printed and cancel, so that nothing is said of them."""
         others = symbols(self.printed).difference(symbol.name for symbol in self.symbols)
         drawn = sample_points([sp.Symbol(name, real=True) for name in others], self.domain, count=1)
-        return {symbol.name: term_of(exact_number(x)) for symbol, x in next(drawn, {}).items()}
+        point = next(drawn, None)
+        if point is None:
+            raise UnsupportedError(NOWHERE)
+        return {symbol.name: term_of(exact_number(x)) for symbol, x in point.items()}
 
     def answer(self) -> Answer:
         if not self.symbols:

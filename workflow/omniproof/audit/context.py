@@ -107,9 +107,10 @@ class Context:
         lemma: Mapping[str, Any] = self._once(self.derivation(claim).meanings)
         return lemma
 
-    @staticmethod
-    def sympy_symbol(symbol: PrintedSymbol) -> Symbol:
-        """What a variable is in the derivations, by what the paper file says of it."""
+    def sympy_symbol(self, symbol: PrintedSymbol) -> Symbol:
+        """What a variable is in the derivations; where no code says it, the paper file does."""
+        if self.registry.symbols and symbol.name in self.registry.symbols.by_name:
+            return self.registry.symbols.by_name[symbol.name]
         assumption = {"positive": True} if symbol.positive else {"real": True}
         return Symbol(symbol.name, **assumption)
 
@@ -190,6 +191,8 @@ class Context:
         return [*ranges, *self._stated(claim)]
 
     def _ranges(self) -> Iterator[tuple[Symbol, tuple[Any, Any]]]:
+        if self.registry.symbols:
+            yield from self.registry.symbols.ranges.items()
         for printed, (lower, upper) in self.loaded.ranges.items():
             if printed in self.loaded.symbols:
                 symbol = self.sympy_symbol(self.loaded.symbols[printed])

@@ -77,7 +77,7 @@ def choose_reading(claim: str, context: Context) -> None:
 
 def prepare(folder: Path) -> Context:
     """Load a paper with its derivations and readings; raises `BadInput` with all faults."""
-    loaded, faults = load_sound_part(folder)
+    loaded, faults = load_sound_part(folder, lambda key: _registry(key).known)
     context = Context(loaded, _registry(loaded.paper.key), load_readings(loaded.paper.key))
     registry = context.registry
     found = [

@@ -13,10 +13,7 @@ from functools import cache, cached_property
 from sympy import Expr, ImmutableMatrix, Integer, Rational, Symbol, factor, pi, symbols
 
 from omniproof.kinematics import frames, sphere
-
-RADIUS = Symbol("r", positive=True)
-POINT = ImmutableMatrix(symbols("x y z", real=True))
-"""Any spin, as a point (rad/s)."""
+from omniproof.papers.three_roller_sphere.symbols import PHI, RADIUS
 
 
 @dataclass(frozen=True)
@@ -82,7 +79,6 @@ def optimum(rollers: tuple[Roller, ...], radius: Expr = RADIUS) -> ImmutableMatr
 
 # The simulation
 
-PHI = Symbol("phi", real=True)
 ELEVATION = Symbol("beta", real=True)
 """Common elevation of the contacts, of any pattern (rad)."""
 
