@@ -20,7 +20,6 @@ from sympy.core.relational import Relational
 
 from omniproof.audit.balls import exact_number
 from omniproof.audit.confirm_order import confirmed_order, region_of
-from omniproof.audit.direct import NOWHERE
 from omniproof.audit.exact import subtract
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
@@ -29,6 +28,7 @@ from omniproof.audit.signs import guarded, not_on_faces, sign_on
 from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import compile_balls, enclose, format_ball, rational_ball, sign_of
+from omniproof.decide.direct import NOWHERE
 from omniproof.decide.exact import sign
 from omniproof.decide.normal_form.angles import read_angle
 from omniproof.decide.normal_form.form import normal_form
