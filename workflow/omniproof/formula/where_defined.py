@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from omniproof.formula.functions import FUNCTIONS
+from omniproof.formula.functions import FUNCTIONS, domain
 from omniproof.formula.term import (
     ZERO,
     Call,
@@ -56,7 +56,7 @@ def _needs(term: Term) -> Iterator[Comparison]:
         case Power(base=base, exponent=exponent) if exponent < 0:
             yield from _differ_from_0(base)
         case Call(function=function, arguments=arguments) if function in FUNCTIONS:
-            yield from FUNCTIONS[function].domain(*arguments)
+            yield from domain(function, *arguments)
 
 
 def _differ_from_0(term: Term) -> Iterator[Comparison]:
