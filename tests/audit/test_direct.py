@@ -201,6 +201,8 @@ def test_what_fails_only_where_it_is_undefined_is_not_false(
         pytest.param(r"\arccos(x^2 + 2) = \arccos(x^2 + 2)", id="an inverse function"),
         pytest.param(r"\frac{x}{\sin^2 x + \cos^2 x - 1} = 1", id="a denominator that is 0"),
         pytest.param(r"\frac{0}{\sqrt{2} + \sqrt{3} - \sqrt{5 + 2\sqrt{6}}} = 0", id="of numbers"),
+        pytest.param(r"\frac{0}{(\sqrt{x})^2 - x} = 0", id="of a root that cancels"),
+        pytest.param(r"(\sqrt{x})^0 = \frac{|0|}{|0|}", id="beside a root that cancels"),
     ],
 )
 def test_what_is_defined_nowhere_is_not_verified(statement: str) -> None:

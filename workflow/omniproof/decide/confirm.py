@@ -116,8 +116,8 @@ def _smt(answer: Answer, asked: Equation) -> Vote:
     match differ_somewhere(asked.left, asked.right, asked.domain.signs), answer:
         case (Equal(), Proved()) | (Different(), Refuted()):
             return True
-        case Equal(), _:
-            return False
+        case Equal(widened=widened), _:
+            return None if widened else False
         case Different(), _:
             return False if asked.domain.is_orthant else None
     return None
