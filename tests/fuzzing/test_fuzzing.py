@@ -28,12 +28,12 @@ from omniproof.audit.mutants import Spelled, mutants
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
+from omniproof.formula.writers import latex
 from omniproof.repair.kinds import Repair
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Misprint
 from omniproof.repair.values import Values, at_points
 from omniproof.transcription import tree
-from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError

@@ -25,8 +25,8 @@ from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.unfold import unfold
+from omniproof.formula.writers import latex
 from omniproof.transcription import tree
-from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import EXCERPT, MAX_LENGTH, LatexError
 
 if TYPE_CHECKING:
@@ -248,9 +248,12 @@ def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> C
     others = [f"`{edit.text}`" for edit in mended.repairs[1 : 1 + SHOWN]]
     left_out = len(mended.repairs) - 1 - len(others)
     more = [f"and {left_out} more"] if left_out > 0 else []
-    size = "another single edit" if mended.size == 1 else "another pair of edits"
-    also = f"; {size} gives {', '.join(others + more)}" if others else ""
-    return replace(result, repairs=mended.repairs, message=result.message + also)
+    single = mended.size == 1
+    told = "" if single else "; the repair takes two edits"
+    if others:
+        size = "single edit" if single else "pair of edits"
+        told += f"; another {size} gives {', '.join(others + more)}"
+    return replace(result, repairs=mended.repairs, message=result.message + told)
 
 
 def _decide(part: Link, setting: Setting, enough: int | None) -> Answer:

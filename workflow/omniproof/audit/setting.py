@@ -18,11 +18,11 @@ from omniproof.audit.exact import sign, subtract
 from omniproof.audit.sympy_domain import REAL_LINE, Domain
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
-from omniproof.formula.functions import COMMANDS
 from omniproof.formula.term import Symbol
 from omniproof.transcription import tree
 from omniproof.transcription.conventions import ALONE, Conventions
 from omniproof.transcription.faults import nearest
+from omniproof.transcription.functions import SHORTENED
 from omniproof.transcription.parses import Parse, parses
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
@@ -57,8 +57,8 @@ class Assumptions:
 
     def _conventions(self) -> Conventions:
         for short, function in self.functions.items():
-            if function not in COMMANDS:
-                near = get_close_matches(function, COMMANDS, n=1) or ["cos"]
+            if function not in SHORTENED:
+                near = get_close_matches(function, SHORTENED, n=1) or ["cos"]
                 _refuse(f"{short}={function}", f"the function `{function}` is not read",
                         f"did you mean `{short}={near[0]}`?")  # fmt: skip
         return Conventions(self.functions, self.slash)

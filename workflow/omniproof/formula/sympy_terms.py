@@ -16,7 +16,6 @@ import sympy as sp
 
 from omniproof.formula.angle import circular
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.functions import CIRCULAR, FUNCTIONS, applied
 from omniproof.formula.grid import Grid
 from omniproof.formula.term import (
     ONE,
@@ -32,7 +31,9 @@ from omniproof.formula.term import (
     Term,
     root,
 )
+from omniproof.formula.unfold import applied
 from omniproof.formula.value import Cases, Comparison, Logic, Value
+from omniproof.transcription.functions import CIRCULAR, FUNCTIONS
 
 SYMPY_FUNCTIONS: dict[str, Any] = {n: getattr(sp, row.sympy) for n, row in FUNCTIONS.items()}
 """Functions of terms, and SymPy's."""
