@@ -24,6 +24,8 @@ from omniproof.transcription.tree import Span
 
 Path = tuple[int, ...]
 """The way down a tree: which child, which child of that, and so on."""
+MOST_CHARACTERS = 600_000
+"""So much is read of edited texts, in about two seconds: the likeliest edits come first."""
 MOVED = 1.2345, 0.6789
 """A factor and a summand that move nearly every value, and nearly everything made of it."""
 
@@ -32,7 +34,7 @@ class Printed:
     """The tree of a misprint; raises `LatexError`, and `ShapeError` for what floats cannot tell."""
 
     def __init__(self, misprint: Misprint) -> None:
-        self.misprint, self.text = misprint, misprint.text
+        self.misprint, self.text, self.characters = misprint, misprint.text, 0
         self.root = misprint.judged(misprint.text)
         self.known: dict[Path, tuple[tree.Node, Values]] = {}
         values = self.learn((), self.root)
@@ -93,11 +95,14 @@ class Printed:
         return ()
 
     def reread(self, path: Path, text: str) -> tree.Node:
-        """Read what a part has become in another text."""
-        if not path:
-            return self.misprint.judged(text)
-        begin, end = self.known[path][0].span
-        return self.misprint.read(text[begin : end + len(text) - len(self.text)])
+        """Read what a part has become in another text; raises as `Printed` does."""
+        if path:
+            begin, end = self.known[path][0].span
+            text = text[begin : end + len(text) - len(self.text)]
+        self.characters += len(text)
+        if self.characters > MOST_CHARACTERS:
+            raise ShapeError("enough has been read")
+        return self.misprint.read(text) if path else self.misprint.judged(text)
 
     @cache  # noqa: B019 - it lives as long as one search
     def reached(self, path: Path) -> NDArray[np.bool_]:
