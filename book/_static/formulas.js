@@ -1,5 +1,5 @@
-// A formula that is wider than its place scrolls there (formulas.css): the keyboard reaches it, a shade
-// shows on which sides there is more, and at first its fault is in view (a boxed entry, a changed part).
+// A formula or a table that is wider than its place scrolls there: the keyboard reaches it. Of a formula
+// (formulas.css), a shade shows on which sides there is more, and its fault is in view at first.
 "use strict";
 (() => {
   const FAULT = ".boxed, .changed";
@@ -37,14 +37,14 @@
       "data-fault": [...new Set(faults.flatMap((fault) => out(box, fault)))].join(" "),
       tabindex: scrolls && "0",
       role: scrolls && "group",
-      "aria-label": scrolls && "formula, scrolls sideways",
+      "aria-label": scrolls && `${box.matches(".wide") ? "table" : "formula"}, scrolls sideways`,
     });
   };
 
   // Set, unfolded, or on another screen: its size changes.
   const sizes = new ResizeObserver((changes) => changes.forEach((change) => mark(change.target)));
   addEventListener("DOMContentLoaded", () => {
-    for (const box of document.querySelectorAll(".math")) sizes.observe(box);
+    for (const box of document.querySelectorAll(".math, .wide")) sizes.observe(box);
   });
-  document.addEventListener("scroll", (event) => event.target.matches?.(".math") && mark(event.target), true);
+  document.addEventListener("scroll", (event) => event.target.matches?.(".math, .wide") && mark(event.target), true);
 })();

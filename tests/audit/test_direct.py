@@ -15,11 +15,10 @@ from omniproof.audit import check as checking
 from omniproof.audit import comparison, confirm_decimals, identities, judge, run
 from omniproof.audit.check import Finding, check
 from omniproof.audit.decimals import Rounding
-from omniproof.audit.digits import UndefinedError, value
 from omniproof.audit.readings import load_readings
 from omniproof.audit.setting import Assumptions
-from omniproof.audit.zero_test import DisagreementError
-from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.answer import DisagreementError, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.digits import UndefinedError, value
 from omniproof.registry import Relation, load_registry
 from omniproof.transcription.reader import read
 
@@ -70,7 +69,7 @@ def test_a_broken_engine_is_stopped_with_both_shown(
 def test_a_broken_engine_stops_an_audit(
     monkeypatch: pytest.MonkeyPatch, tiny_folder: Path, answer: Any
 ) -> None:
-    monkeypatch.setattr(identities, "confirmed_equal", lambda *_, **__: answer)
+    monkeypatch.setattr(identities, "equal_to_derived", lambda *_, **__: answer)
     with pytest.raises(DisagreementError, match="direct evaluation contradicts broken"):
         run.audit_paper(tiny_folder)
 
@@ -202,6 +201,8 @@ def test_what_fails_only_where_it_is_undefined_is_not_false(
         pytest.param(r"\arccos(x^2 + 2) = \arccos(x^2 + 2)", id="an inverse function"),
         pytest.param(r"\frac{x}{\sin^2 x + \cos^2 x - 1} = 1", id="a denominator that is 0"),
         pytest.param(r"\frac{0}{\sqrt{2} + \sqrt{3} - \sqrt{5 + 2\sqrt{6}}} = 0", id="of numbers"),
+        pytest.param(r"\frac{0}{(\sqrt{x})^2 - x} = 0", id="of a root that cancels"),
+        pytest.param(r"(\sqrt{x})^0 = \frac{|0|}{|0|}", id="beside a root that cancels"),
     ],
 )
 def test_what_is_defined_nowhere_is_not_verified(statement: str) -> None:

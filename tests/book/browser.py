@@ -30,7 +30,7 @@ _LOOK = """() => {
 _STOPS = """() => [
   ...document.querySelectorAll("a[href], button, input, select, textarea, summary, [tabindex]"),
 ]
-  .filter((e) => e.tabIndex >= 0 && !e.disabled)
+  .filter((e) => e.tabIndex >= 0 && !e.disabled && !(e.type === "radio" && !e.checked))
   .filter((e) => e.checkVisibility({ visibilityProperty: true })).length
 """
 _FORMULAS = Path(__file__).with_name("formulas.js").read_text(encoding="utf-8")

@@ -73,7 +73,7 @@ def test_a_formula_needs_no_script(chromium: Browser, small: Path) -> None:
     context = chromium.new_context(java_script_enabled=False)
     page = context.new_page()
     page.goto(f"{small.as_uri()}/omni-arrangement.html")
-    matrix = page.locator("#eq-6 math")
+    matrix = page.locator("#rows-eq-6 .whole math")
     box, entry = matrix.bounding_box(), matrix.locator(".boxed").bounding_box()
     assert box is not None
     assert entry is not None

@@ -94,6 +94,9 @@ def test_not_asked(left: sp.Expr, right: sp.Expr, reason: str) -> None:
     [
         pytest.param(r"\frac{x^4}{x^2}", "x^2", Equal, id="a quotient that cancels"),
         pytest.param("x - x + y", "y", Equal, id="terms that cancel"),
+        pytest.param(r"\frac{1}{\sqrt{4} - 2}", "y", NoAnswer, id="defined nowhere"),
+        pytest.param(r"\frac{1}{\sin^2 x + \cos^2 x - 1}", "y", NoAnswer,
+                     id="nowhere, by Pythagoras"),
         pytest.param(r"\frac{x}{x}", "1", Equal, id="where it is defined"),
         pytest.param(r"\frac{x}{x} + \frac{1}{x - y}", r"\frac{1}{x - y} + x", Different,
                      id="false where it is defined"),

@@ -11,9 +11,9 @@ from hypothesis import assume, given, settings
 from sympy import N
 
 from omniproof.formula.evaluation import evaluate
+from omniproof.formula.writers import latex
 from omniproof.transcription import tree
 from omniproof.transcription.model import Notation
-from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import read
 from omniproof.transcription.tokens import LatexError
 

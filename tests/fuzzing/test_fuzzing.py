@@ -22,18 +22,18 @@ from hypothesis import strategies as st
 from mpmath import mp
 from sympy import Symbol
 
-from omniproof.audit import digits
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.mutants import Spelled, mutants
+from omniproof.audit.sympy_equality import confirmed_equal
+from omniproof.decide import digits
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
+from omniproof.formula.writers import latex
 from omniproof.repair.kinds import Repair
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Misprint
 from omniproof.repair.values import Values, at_points
 from omniproof.transcription import tree
-from omniproof.transcription.printer import latex
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError

@@ -64,43 +64,36 @@ class Alteration:
 
 
 def symbol_alterations(folder: Path) -> Iterator[Alteration]:
-    """All slips in the symbols of a paper."""
+    """All slips in the symbols of a paper file: how it writes them, and what code says already."""
     values: Any = load_document(folder / FILE).values
     symbols = values["symbols"]
-    variables = [symbol["latex"] for symbol in symbols if "role" not in symbol]
     for i, symbol in enumerate(symbols):
-        for how, key, value in _slips(symbol, variables):
+        others = [other["latex"] for other in symbols if other is not symbol]
+        for how, key, value in (*_slips(symbol, others), *_stated_again(others)):
             yield Alteration(folder.name, key, how, ("symbols", i, key), value)
         for key in symbol:
             how, new = "key misspelt", f"{key}s"
             yield Alteration(folder.name, key, how, ("symbols", i, key), new_key=new)
 
 
-def _slips(symbol: Mapping[str, Any], variables: list[str]) -> Iterator[tuple[str, str, Any]]:
-    name, latex, role = symbol["name"], symbol["latex"], symbol.get("role", "variable")
+def _slips(symbol: Mapping[str, Any], others: list[str]) -> Iterator[tuple[str, str, Any]]:
+    name, latex = symbol["name"], symbol["latex"]
     for key in symbol:
         yield "dropped", key, None
     yield "misspelt", "name", f"{name}x"
     yield "misspelt", "name", f"{name[:-1]}_one" if name.endswith("1") else f"{name}_{name}"
     yield "changed", "name", "phi" if name != "phi" else "psi"
     yield "misspelt", "latex", f"{latex[:-1]}l" if latex.endswith("1") else f"{latex}'"
-    yield "changed", "latex", next(other for other in variables if other != latex)
-    for other in ROLES:
-        if other != role:
-            yield "changed" if "role" in symbol else "added", "role", other
-    yield "misspelt", "role", f"{role}e"
-    yield from _signs(symbol)
-    yield "changed" if "range" in symbol else "added", "range", r"(0, 30^\circ)"
-    other = next(variable for variable in variables if [variable] != symbol.get("of"))
-    yield "changed" if "of" in symbol else "added", "of", [other]
+    yield "changed", "latex", others[0]
 
 
-def _signs(symbol: Mapping[str, Any]) -> Iterator[tuple[str, str, Any]]:
-    if "positive" in symbol:
-        yield "changed", "positive", "false"
-        yield "misspelt", "positive", "ture"
-    else:
-        yield "added", "positive", "true"
+def _stated_again(others: list[str]) -> Iterator[tuple[str, str, Any]]:
+    for role in ROLES:
+        yield "stated twice", "role", role
+    for positive in ("true", "false"):
+        yield "stated twice", "positive", positive
+    yield "stated twice", "range", r"(0, 30^\circ)"
+    yield "stated twice", "of", [others[0]]
 
 
 @contextmanager

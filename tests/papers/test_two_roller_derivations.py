@@ -27,8 +27,8 @@ from sympy import Expr, rad
 from omniproof.kinematics import rolling
 from omniproof.kinematics.frames import UNIT
 from omniproof.papers.two_roller_sphere import symmetric
-from omniproof.papers.two_roller_sphere.arrangement import DIRECTION
 from omniproof.papers.two_roller_sphere.derivations import REGISTRY
+from omniproof.papers.two_roller_sphere.symbols import DIRECTION
 
 SEEDS = (1, 2, 3)
 POSITIVE = ("r", "V", "k_0", "d_1", "d_2", "delta")

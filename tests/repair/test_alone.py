@@ -89,6 +89,7 @@ def test_the_likeliest_repair_comes_first(printed, right):
 def test_where_one_edit_does_not_do_two_are_tried():
     found = check(r"\sin(a + b) = \cos a \cos b - \cos a \sin b")
     assert r"\sin(a + b) = \sin a \cos b + \cos a \sin b" in [edit.text for edit in found.repairs]
+    assert "; the repair takes two edits" in found.message
 
 
 @pytest.mark.parametrize("text", ["x^2 + 1 < 0", r"\sin 2x = \sin x \cos x", r"a^2 \leq 2a^2 - 1"])

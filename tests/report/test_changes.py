@@ -21,8 +21,10 @@ def bare(latex: str) -> str:
         pytest.param(
             r"\sin a + b", r"\sin a - b", [("+", "-")], r"\sin a \mathbin{\changed{-}} b", id="sign"
         ),
-        pytest.param("-a b_1", "a b_1", [("-", "")], "a b _ 1", id="left out"),
-        pytest.param("a_1 + b", "a_2 + b", [("1", "2")], r"a _ {\changed{2}} + b", id="index"),
+        pytest.param("-a b_1", "a b_1", [("-", "")], "a b_1", id="left out"),
+        pytest.param(
+            "a_1 + b", "a_2 + b", [("a_1", "a_2")], r"{\changed{a_2}} + b", id="index and symbol"
+        ),
         pytest.param(
             r"\cos x + y z",
             r"\sin x + y z",
@@ -31,14 +33,19 @@ def bare(latex: str) -> str:
             id="function",
         ),
         pytest.param(
-            r"\frac{1}{2} + c",
-            r"\frac{\cos {p}}{2} + c",
-            [("1", r"\cos { p }")],
-            r"\frac { {\changed{\cos { p }}} } { 2 } + c",
-            id="a command keeps its argument",
+            r"\frac{1}{2} + c + d + e",
+            r"\frac{\cos {p}}{2} + c + d + e",
+            [("1", r"\cos p")],
+            r"\frac{{\changed{\cos p}}}{2} + c + d + e",
+            id="in a fraction",
         ),
+        pytest.param("x = k/2", "x = k_0/2", [("k", "k_0")], r"x = {\changed{k_0}} / 2", id="base"),
         pytest.param(
-            "x = k/2", "x = k_0/2", [("k", "k _ 0")], r"x = {\changed{k _ 0}} / 2", id="base"
+            r"\left( \frac{a}{b} - c \right) d e",
+            r"\left( \frac{a}{b} + c \right) d e",
+            [("-", "+")],
+            r"\left( \frac{a}{b} \mathbin{\changed{+}} c \right) d e",
+            id="in brackets that grow",
         ),
     ],
 )
@@ -58,6 +65,7 @@ def test_the_changed_part_is_whole(
         pytest.param("a + b", "a + b", id="nothing changes"),
         pytest.param("a + b", r"\sqrt{c} d^2", id="two formulas"),
         pytest.param("grovel", "a global word", id="words"),
+        pytest.param("by two roller.", "by two rollers.", id="a sentence"),
         pytest.param(r"\frac{a}{b", r"\frac{a}{c", id="broken"),
         pytest.param("a+b+c+d+e+f+g+h", "z+b+y+d+x+f+w+h", id="too many"),
     ],

@@ -19,6 +19,7 @@ from omniproof.report.stylesheets import used_rules
         pytest.param("@media print{.b{x:1}.a{x:2}}", "@media print{.a{x:2}}", id="in a query"),
         pytest.param("@media print{.b{x:1}}", "", id="nothing left of a query"),
         pytest.param('@charset "u";.a{x:1}', '@charset "u";.a{x:1}', id="a statement"),
+        pytest.param('@import url("b.css");', '@import url("b.css");', id="nothing else"),
         pytest.param("@font-face{src:url(b.woff)}", "@font-face{src:url(b.woff)}", id="a font"),
         pytest.param('.a{x:"}"}.b{x:"{"}', '.a{x:"}"}', id="braces in a text"),
         pytest.param("/* { */.a{x:1}", ".a{x:1}", id="a comment"),

@@ -448,7 +448,8 @@ REFUSED = [
         "expected a function that is read, found `{`",
         r"    \operatorname{lcm}(x)",
         "                 ^",
-        "    write one of arccos, arcsin, arctan, atan2, cos, cot, csc, sec, sin, tan"],
+        "    write one of acos, arccos, arcsin, arctan, asin, atan, atan2, cos, cosh, cot, csc, "
+            "exp, ln, max, min, sec, sgn, sign, sin, sinh, tan, tanh"],
         id="unknown function"),
     pytest.param(r"\cot^{-1} x", [
         "no inverse of `cot` is read",

@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from importlib import import_module
 from typing import Any, TypeAlias
 
 from sympy import Expr, MatrixBase, Symbol
 
-from omniproof.transcription.model import Form
+from omniproof.transcription.known import Known
+from omniproof.transcription.model import Form, Role
 
 Derived: TypeAlias = Any
 """What a derivation returns, by the kind of its claim (SymPy publishes no types):
@@ -133,6 +135,24 @@ class Convention:
         return (self.stated, *self.others)
 
 
+@dataclass(frozen=True)
+class Symbols:
+    """What the symbols of a paper are: SymPy's, with their signs.
+
+    `variables` stand for numbers; `ranges` are open intervals that some of them are confined to in
+    the whole paper. What is `undefined` is printed, and never introduced.
+    """
+
+    variables: tuple[Symbol, ...]
+    ranges: Mapping[Symbol, tuple[Expr, Expr]] = field(default_factory=dict)
+    undefined: tuple[Symbol, ...] = ()
+
+    @cached_property
+    def by_name(self) -> dict[str, Symbol]:
+        """All of them by name."""
+        return {symbol.name: symbol for symbol in (*self.variables, *self.undefined)}
+
+
 Bind: TypeAlias = Callable[[Callable[..., Derived]], Callable[..., Derived]]
 
 
@@ -148,8 +168,25 @@ class Registry:
     """LaTeX for an expression that would fill a line wherever it occurs in a derived form."""
     arguments: dict[str, tuple[Symbol, ...]] = field(default_factory=dict)
     """What a quantity is a function of, by its name."""
-    ranges: dict[Symbol, tuple[Expr, Expr]] | None = None
-    """Open intervals that symbols are confined to in the whole paper; None: nobody said."""
+    symbols: Symbols | None = None
+    """What the symbols are; None: no code says it, and the paper file may."""
+
+    @property
+    def known(self) -> Known | None:
+        """What the paper file need not say of its symbols: their roles, and what functions are of.
+
+        None where it may say so itself.
+        """
+        if self.symbols is None:
+            return None
+        roles = dict.fromkeys((symbol.name for symbol in self.symbols.variables), Role.VARIABLE)
+        roles |= dict.fromkeys((symbol.name for symbol in self.symbols.undefined), Role.UNDEFINED)
+        roles |= dict.fromkeys(self.quantities, Role.QUANTITY)
+        of = {
+            name: tuple(variable.name for variable in self.arguments.get(name, ()))
+            for name in self.quantities
+        }
+        return Known(self.paper, roles, of)
 
     def derives(
         self,

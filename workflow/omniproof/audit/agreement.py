@@ -1,8 +1,8 @@
-"""What the paper file says of a symbol against what the derivations know of it.
+"""The symbols of the derivations against those that print can mean.
 
 A slip of ours here would become an erratum of theirs: SymPy takes `alpha_1` and `alpha_one`, `L`
 and a positive `L` for different symbols, so that what is printed and what is derived are no longer
-equal. Both places therefore have to say the same; the first difference stops the audit.
+equal. What a symbol is, one place says; here the derivations are held to it.
 """
 
 from __future__ import annotations
@@ -10,39 +10,31 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, TypeAlias
 
 from sympy import Dummy, Symbol
 
 from omniproof.audit.context import Context
-from omniproof.audit.exact import subtract, vanishes
-from omniproof.audit.known_symbols import KnownSymbols, known_symbols, place_of
-from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.evaluation import evaluate
+from omniproof.audit.known_symbols import KnownSymbols, known_symbols
 from omniproof.transcription.faults import Fault, nearest
 from omniproof.transcription.ids import base
-from omniproof.transcription.model import Kind, Role
+from omniproof.transcription.model import Claim, Form, Kind, Role
 from omniproof.transcription.model import Symbol as Declared
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import names
 
-Said: TypeAlias = tuple[str, str, str]
-"""A key of a declared symbol, what is wrong with it, and the cure."""
-
-NOT_INTRODUCED = "leave it out, or write `role: undefined` for what the paper never introduces"
 MOST_NAMED = 8
 """So many symbols a cure lists; a longer list is not read."""
 
 
 def disagreements(context: Context) -> list[Fault]:
-    """List all differences; none where nobody has derived anything yet."""
+    """List all symbols that are not what they seem; none where nobody has derived anything yet."""
     if not context.registry.derivations:
         return []
     check = _Agreement(context, known_symbols(context))
     faults = [
-        context.loaded.symbol_fault(symbol.name, *said)
+        fault
         for printed, symbol in context.loaded.symbols.items()
-        for said in check.differences(printed, symbol)
+        for fault in check.of_symbol(printed, symbol)
     ]
     # A wrong name makes every derivation look wrong that uses the right one.
     return faults or list(check.unprintable())
@@ -53,86 +45,54 @@ class _Agreement:
     context: Context
     known: KnownSymbols
 
-    def differences(self, printed: str, symbol: Declared) -> Iterator[Said]:
-        """Yield what is said of one symbol in two ways."""
+    def of_symbol(self, printed: str, symbol: Declared) -> Iterator[Fault]:
+        """Yield what is wrong with one declared symbol."""
         if symbol.role is Role.QUANTITY:
-            yield from self.arguments(printed, symbol)
-        if symbol.name in self.context.registry.quantities or symbol.role is Role.QUANTITY:
-            return
-        yield from self.range(printed, symbol)
-        rule = self.undefined if symbol.role is Role.UNDEFINED else self.variable
-        yield from rule(printed, symbol)
+            yield from self.arguments(symbol)
+        elif symbol.name not in self.context.registry.quantities:
+            yield from self.number(printed, symbol)
 
-    def variable(self, printed: str, symbol: Declared) -> Iterator[Said]:
-        """A variable is known to the derivations, with the same sign wherever it comes in."""
+    def number(self, printed: str, symbol: Declared) -> Iterator[Fault]:
+        """A symbol is the same one wherever it comes in; an undefined one comes in nowhere."""
+        own, variable = self.context.sympy_symbol(symbol), symbol.role is Role.VARIABLE
         places = self.known.places.get(symbol.name, {})
         alike = {known: at for known, at in places.items() if not isinstance(known, Dummy)}
-        own = self.context.sympy_symbol(symbol)
-        others = [other for other in alike if other != own]
+        others = [other for other in alike if other != own or not variable]
         for other in others[:1]:
-            message = f"expected {_numbers(other)}, as in {alike[other]}, found {_numbers(own)}"
-            yield "positive", message, "say the same in both places"
-        if others:
-            return
-        printing = self.printing(printed)
-        claims = [claim for claim in printing if claim in self.context.registry.derivations]
-        around = self.names_around(claims)
-        missed = around - self.declared
-        # Where nothing is derived, nothing can go wrong: a symbol may stand there alone.
-        unknown = not alike and (claims or not printing)
-        if unknown or (claims and missed and symbol.name not in around):
+            message = (
+                f"expected {_numbers(own) if variable else 'no symbol of a derivation'}, "
+                f"found {_numbers(other)} in {alike[other]}"
+            )
+            yield self.fault(symbol, "name", message, "take what is declared, or another name")
+        by_file = variable and self.context.registry.symbols is None
+        if by_file and not alike and self.is_printed(printed):
             message = f"expected a symbol of the derivations, found `{symbol.name}`"
             free = self.known.places.keys() - self.declared
-            otherwise = nearest(symbol.name, free, NOT_INTRODUCED)
-            yield "name", message, _meant(symbol.name, missed) if missed else otherwise
+            yield self.fault(symbol, "name", message, _meant(symbol.name, free))
 
-    def undefined(self, printed: str, symbol: Declared) -> Iterator[Said]:
-        """What the paper never introduces has no part in the mechanics."""
-        for place in list(self.known.places.get(symbol.name, {}).values())[:1]:
-            message = f"expected a symbol that no derivation knows, found one of {place}"
-            yield "role", message, "leave `role: undefined` out, or give it another name"
-
-    def range(self, printed: str, symbol: Declared) -> Iterator[Said]:
-        """The range in which a symbol is judged is the one that the derivations state."""
-        if self.context.registry.ranges is None:
+    def arguments(self, symbol: Declared) -> Iterator[Fault]:
+        """What the paper file says a quantity is a function of, its derivation says, or has."""
+        if self.context.registry.symbols or symbol.name not in self.known.quantities:
             return
-        stated = {key.name: ends for key, ends in self.context.registry.ranges.items()}
-        wanted = stated.get(symbol.name)
-        found = tuple(evaluate(end, {}) for end in self.context.loaded.ranges.get(printed, ()))
-        if not _same_ends(wanted or (), found):
-            said = f"({wanted[0]}, {wanted[1]})" if wanted else "no range"
-            message = f"expected {said}, as the derivations state, found {symbol.range or 'none'}"
-            yield "range", message, "say the same in both places"
-
-    def arguments(self, printed: str, symbol: Declared) -> Iterator[Said]:
-        """What a quantity is a function of is what its derivation says, or what its value has."""
-        build = self.context.registry.quantities.get(symbol.name)
-        if build is None:
-            return
-        found = [symbol_name(latex) for latex in symbol.of]
         stated = self.context.registry.arguments.get(symbol.name)
-        value = self.known.quantities[symbol.name]
-        wanted = [self.latex(variable) for variable in (value if stated is None else stated)]
-        if stated is not None and found != wanted:
-            message = f"expected {_listed(wanted)}, as in {place_of(build)}, found {_listed(found)}"
-            yield "of", message, "say the same in both places"
-        for name in found if stated is None else ():
-            if name not in wanted:
-                message = f"expected a variable of its value, found {_listed([name])}"
-                yield "of", message, _meant(name, wanted)
+        found = [symbol_name(latex) for latex in symbol.of]
+        known = self.known.quantities[symbol.name] if stated is None else stated
+        wanted = [self.printed(variable) for variable in known]
+        strange = [name for name in found if name not in wanted]
+        if strange or (stated is not None and found != wanted):
+            message = f"expected variables of its value, found {_listed(found)}"
+            yield self.fault(symbol, "of", message, _meant("".join(strange), wanted))
 
-    def latex(self, variable: Symbol) -> str:
+    def printed(self, variable: Symbol) -> str:
         """The canonical name by which the paper prints a variable."""
         symbols = self.context.loaded.symbols.items()
-        return next(
-            (printed for printed, own in symbols if own.name == variable.name), str(variable)
-        )
+        return next((name for name, own in symbols if own.name == variable.name), variable.name)
 
     def unprintable(self) -> Iterator[Fault]:
-        """Yield what an identity is derived in although nothing that is printed can mean it."""
+        """Yield what a formula is derived in although nothing that is printed can mean it."""
         for claim, found in self.known.claims.items():
             printed = self.context.claims.get(claim) or self.context.claims.get(base(claim))
-            if printed is None or printed.kind is not Kind.IDENTITY:
+            if printed is None or not _is_compared(printed):
                 continue
             for symbol in sorted(found - self.printable - self.known.lemmas[claim], key=str):
                 message = (
@@ -141,6 +101,9 @@ class _Agreement:
                 )
                 cure = _meant(symbol.name, {known.name for known in self.printable})
                 yield self.context.loaded.fault(printed.id, message, cure)
+
+    def fault(self, symbol: Declared, key: str, message: str, cure: str) -> Fault:
+        return self.context.loaded.symbol_fault(symbol.name, key, message, cure)
 
     @cached_property
     def declared(self) -> frozenset[str]:
@@ -157,27 +120,17 @@ class _Agreement:
         )
         return frozenset(own).union(*self.known.quantities.values())
 
-    @cached_property
-    def printed(self) -> dict[str, frozenset[str]]:
-        """Canonical names of the symbols in all formulas of a claim."""
-        loaded = self.context.loaded
-        return {
-            claim.id: frozenset[str]().union(*map(names, loaded.formulas(claim.id)))
-            for claim in loaded.claims
-        }
+    def is_printed(self, printed: str) -> bool:
+        """Whether a claim prints a symbol, and is derived."""
+        claims = self.known.claims.keys() & self.context.claims.keys()
+        formulas = (node for claim in claims for node in self.context.loaded.formulas(claim))
+        return any(printed in names(node) for node in formulas)
 
-    def printing(self, printed: str) -> list[str]:
-        """Claims that print a symbol."""
-        return [claim for claim, found in self.printed.items() if printed in found]
 
-    def names_around(self, claims: Collection[str]) -> frozenset[str]:
-        """Names of all symbols that these claims are derived in, or that they print."""
-        found = set[Symbol]()
-        for claim in claims:
-            found |= self.known.claims[claim] | self.known.lemmas[claim]
-            for printed in self.printed[claim] & self.context.loaded.symbols.keys():
-                found |= self.known.quantities.get(self.context.loaded.symbols[printed].name, set())
-        return frozenset(symbol.name for symbol in found)
+def _is_compared(claim: Claim) -> bool:
+    """Whether what a claim prints is held against what is derived for it."""
+    condition = claim.asserts is not None and claim.asserts.form is Form.EQUIVALENT
+    return claim.kind is Kind.IDENTITY or condition
 
 
 def _numbers(symbol: Symbol) -> str:
@@ -187,27 +140,12 @@ def _numbers(symbol: Symbol) -> str:
     return f"a {kind} number"
 
 
-def _listed(words: Collection[str]) -> str:
-    return ", ".join(f"`{word}`" for word in words) or "nothing"
-
-
 def _meant(word: str, known: Collection[str]) -> str:
     """The cure for a name that is unknown: the one that was meant, or all that could be."""
     if len(known) == 1:
         return f"did you mean `{min(known)}`?"
-    names = sorted(known)[:MOST_NAMED]
-    return nearest(word, known, f"the derivations know {_listed(names) or 'none'}")
+    return nearest(word, known, f"the derivations know {_listed(sorted(known)[:MOST_NAMED])}")
 
 
-def _same_ends(wanted: Collection[Any], found: Collection[Any]) -> bool:
-    """Whether two intervals, or none, are the same; ends may be infinite."""
-    if len(wanted) != len(found):
-        return False
-    return all(one == other or _equal(one, other) for one, other in zip(wanted, found, strict=True))
-
-
-def _equal(one: Any, other: Any) -> bool:
-    try:
-        return vanishes(subtract(one, other))
-    except UnsupportedError:
-        return False
+def _listed(words: Collection[str]) -> str:
+    return ", ".join(f"`{word}`" for word in words) or "none"

@@ -17,6 +17,8 @@ from omniproof.audit.intervals import Piece, condition_latex, in_degrees
 from omniproof.audit.quotient import OnBox, Quotient
 from omniproof.audit.signs import OPEN, Closed, guarded, sign_on
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.order.evident import is_evident
+from omniproof.formula.sympy_terms import assumed_signs, term_of
 from omniproof.registry import Ordered
 
 ENGINE = ("flint",)
@@ -54,9 +56,13 @@ def holds(chain: Ordered, closed: Closed = OPEN) -> Answer:
 
 def _without_bars(terms: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
     """Square absolute values: that keeps their order, and leaves no kinks."""
-    if any(term.has(sp.Abs) for term in terms) and all(term.is_nonnegative for term in terms):
+    if any(term.has(sp.Abs) for term in terms) and all(map(_is_nonnegative, terms)):
         return tuple(term**2 for term in terms)
     return terms
+
+
+def _is_nonnegative(term: sp.Expr) -> bool:
+    return is_evident(term_of(term), "\\geq", assumed_signs(term))
 
 
 def _order(difference: OnBox, closed: Closed) -> Answer:
@@ -68,7 +74,7 @@ def _order(difference: OnBox, closed: Closed) -> Answer:
 
 
 def _counterexample(function: Quotient, otherwise: Undecided) -> Answer:
-    wrong = function.find(function.value, -1)
+    wrong = function.find(function.term, -1)
     if wrong is None:
         return otherwise
     witness = function.witness(wrong, "> 0", function.digits(wrong))

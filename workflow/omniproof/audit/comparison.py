@@ -26,9 +26,9 @@ from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, not_on_faces, sign_on
 from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.zero_test import Terms
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import compile_balls, enclose, format_ball, rational_ball, sign_of
+from omniproof.decide.direct import NOWHERE
 from omniproof.decide.exact import sign
 from omniproof.decide.normal_form.angles import read_angle
 from omniproof.decide.normal_form.form import normal_form
@@ -52,6 +52,7 @@ PROBES = 60
 LARGEST_SHORT = 10**100
 """Beyond it no short number is near, and its square would soon be beyond floats."""
 Point: TypeAlias = Mapping[sp.Symbol, Any]
+Terms: TypeAlias = tuple[Term, Term]
 
 
 def compare(
@@ -117,7 +118,10 @@ class _Comparison:
         """Values of the symbols that are printed and cancel, so that nothing is said of them."""
         others = symbols(self.printed).difference(symbol.name for symbol in self.symbols)
         drawn = sample_points([sp.Symbol(name, real=True) for name in others], self.domain, count=1)
-        return {symbol.name: term_of(exact_number(x)) for symbol, x in next(drawn, {}).items()}
+        point = next(drawn, None)
+        if point is None:
+            raise UnsupportedError(NOWHERE)
+        return {symbol.name: term_of(exact_number(x)) for symbol, x in point.items()}
 
     def answer(self) -> Answer:
         if not self.symbols:

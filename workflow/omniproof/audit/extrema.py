@@ -17,7 +17,6 @@ import sympy as sp
 from omniproof.audit.balls import exact_number
 from omniproof.audit.box import Box
 from omniproof.audit.exact import subtract, vanishes
-from omniproof.audit.ordering import digits
 from omniproof.audit.positivity import Negative, Open, Positive, prove_positive
 from omniproof.audit.quotient import Family, OnBox, Quotient
 from omniproof.audit.sign_chart import recognise
@@ -33,7 +32,11 @@ from omniproof.audit.signs import (
     sign_on,
 )
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided
+from omniproof.decide.balls import enclose, format_ball
+from omniproof.decide.exact import sign
 from omniproof.formula.sympy_terms import term_of
+from omniproof.formula.term import Term, multiply, number
+from omniproof.formula.term import subtract as difference_of
 
 __all__ = ["concave", "prove_extremum", "sign_on"]
 
@@ -58,21 +61,23 @@ def _extremum(family: Family, candidates: Points, direction: int, closed: Closed
     function = Quotient.of(family)
     ends = [closed.get(symbol, (False, False)) for symbol in family.box]
     candidates = [tuple(exact_number(x) for x in point) for point in candidates]
-    best = function.at(candidates[0])
+    best = function.value_at(candidates[0])
     for point in candidates:
-        value = function.at(point)
+        value = function.value_at(point)
         if not function.box.contains(point, ends):
-            witness = function.witness(point, digits(value), "undefined")
+            witness = function.witness(point, _digits(value), "undefined")
             return Refuted(ENGINE, witness, "the point is not inside of the box")
-        if not vanishes(subtract(value, best)):
-            witness = function.witness(point, digits(best), digits(value))
+        if sign(difference_of(value, best)) != 0:
+            witness = function.witness(point, _digits(best), _digits(value))
             return Refuted(ENGINE, witness, "the points do not have the same value")
-    better = function.find(subtract(function.value, best), -direction)
+    better = function.find(difference_of(function.term, best), -direction)
     if better is not None:
         return _refuted(function, better, best)
-    sign = direction * denominator_sign(function)
-    above = sign * (function.numerator - best * function.denominator)
-    outcome = prove_positive(term_of(above), function.box, candidates)
+    above, below = term_of(function.numerator), term_of(function.denominator)
+    factor = number(direction * denominator_sign(function))
+    outcome = prove_positive(
+        multiply(factor, difference_of(above, multiply(best, below))), function.box, candidates
+    )
     match outcome:
         case Positive():
             return _not_on_faces(family, candidates, direction, closed) or Proved(ENGINE)
@@ -82,6 +87,10 @@ def _extremum(family: Family, candidates: Points, direction: int, closed: Closed
             return _not_proved(function, outcome, (candidates, ends), best)
         case _ as never:
             assert_never(never)
+
+
+def _digits(value: Term) -> str:
+    return format_ball(enclose(value), 6)
 
 
 def _not_on_faces(
@@ -118,15 +127,15 @@ def _worse(lead: OnBox) -> Answer:
     return sign_on(lead, 1) if lead.box else of_number(term_of(lead.expression), 1)
 
 
-def _refuted(function: Quotient, point: tuple[Any, ...], best: sp.Expr) -> Refuted:
-    return Refuted(ENGINE, function.witness(point, digits(best), function.digits(point)))
+def _refuted(function: Quotient, point: tuple[Any, ...], best: Term) -> Refuted:
+    return Refuted(ENGINE, function.witness(point, _digits(best), function.digits(point)))
 
 
 def _not_proved(
     function: Quotient,
     stuck: Open,
     known: tuple[Points, Sequence[tuple[bool, bool]]],
-    best: sp.Expr,
+    best: Term,
 ) -> Answer:
     """Look for a further point with exactly the best value where the proof got stuck."""
     candidates, ends = known
@@ -134,7 +143,8 @@ def _not_proved(
         for point in product(*(recognise(x, 1e-5, 24) for x in place)):
             if point in candidates:
                 continue
-            if function.box.contains(point, ends) and vanishes(subtract(function.at(point), best)):
-                witness = function.witness(point, digits(best), digits(best))
+            excess = difference_of(function.value_at(point), best)
+            if function.box.contains(point, ends) and sign(excess) == 0:
+                witness = function.witness(point, _digits(best), _digits(best))
                 return Refuted(ENGINE, witness, "the same value is attained there")
     return Undecided(f"no proof that it is the extremum: {stuck.reason}", ENGINE)

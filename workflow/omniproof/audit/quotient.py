@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import sympy as sp
 from flint import fmpq
 
-from omniproof.audit.balls import compile_balls, evaluate, exact_number
+from omniproof.audit.balls import compile_balls, exact_number
 from omniproof.audit.box import Box
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.sympy_domain import Domain
@@ -85,10 +85,6 @@ class Quotient:
         _confirm(printed, divide(term_of(numerator), term_of(denominator)), box)
         return Quotient(value, numerator, denominator, box, asked.symbols, printed)
 
-    def at(self, point: tuple[Any, ...]) -> sp.Expr:
-        """Return the exact value at an exact point."""
-        return self.value.subs(dict(zip(self.box.symbols, point, strict=True)))
-
     def is_pole(self, point: tuple[Any, ...]) -> bool:
         """Whether the denominator vanishes at an exact point."""
         return sign(substitute(term_of(self.denominator), self._place(point))) == 0
@@ -112,11 +108,12 @@ class Quotient:
         """Write the value at a rational or exact point, to six significant digits."""
         return format_ball(enclose(self.value_at(point)), 6)
 
-    def find(self, expression: sp.Expr, sign: int) -> tuple[fmpq, ...] | None:
-        """Look for a rational point of the box where an expression has a certain sign."""
+    def find(self, term: Term, sign: int) -> tuple[fmpq, ...] | None:
+        """Look for a rational point of the box where a term has a certain sign."""
         sides = {s.name: side for s, side in zip(self.box.symbols, self.box.sides, strict=True)}
         for point in sample_points(self.box.symbols, Domain(sides), count=PROBES):
-            if sign_of(evaluate(expression, point)) == sign:
+            values = {symbol.name: value for symbol, value in point.items()}
+            if sign_of(enclose(term, values)) == sign:
                 return tuple(point[symbol] for symbol in self.box.symbols)
         return None
 

@@ -18,9 +18,11 @@ from omniproof.audit.sign_chart import Chart, recognise, sign_chart
 from omniproof.decide import exact
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import enclose, format_ball
+from omniproof.decide.normal_form.form import normal_form
+from omniproof.formula.derivative import derivative
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
-from omniproof.formula.term import Term, multiply, substitute
+from omniproof.formula.term import Power, Term, multiply, substitute, walk
 
 ENGINE = ("flint",)
 CLAIM = {1: "> 0", -1: "< 0"}
@@ -59,9 +61,9 @@ def not_on_faces(family: Family, wanted: int, zero: bool, closed: Closed) -> Ans
     printed = getattr(family, "printed", None) or term_of(family.expression)
     for at, rest in faces(family.box, closed):
         value = family.expression.subs(at)
-        if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
-            continue
         term = substitute(printed, {symbol.name: term_of(end) for symbol, end in at.items()})
+        if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo) or _divides_by_zero(term):
+            continue
         if value.free_symbols:
             answer = sign_on(OnBox(value, rest, term), wanted, zero=zero)
         else:
@@ -70,6 +72,19 @@ def not_on_faces(family: Family, wanted: int, zero: bool, closed: Closed) -> Ans
         if not isinstance(answer, Proved):
             return on_face(answer, at if value.free_symbols else at | _somewhere(rest))
     return None
+
+
+def _divides_by_zero(term: Term) -> bool:
+    """Whether a printed denominator is 0 everywhere."""
+    powers = (part for part in walk(term) if isinstance(part, Power) and part.exponent < 0)
+    return any(_is_zero(power.base) for power in powers)
+
+
+def _is_zero(term: Term) -> bool:
+    try:
+        return normal_form(term).is_zero
+    except UnsupportedError:
+        return False
 
 
 def _somewhere(box: Mapping[sp.Symbol, tuple[Any, Any]]) -> dict[sp.Symbol, Any]:
@@ -133,7 +148,7 @@ def denominator_sign(function: Quotient) -> int:
 
 
 def _sign_of(function: Quotient, wanted: int, zero: bool) -> Answer:
-    wrong = function.find(function.value, -wanted)
+    wrong = function.find(function.term, -wanted)
     if wrong is not None:
         witness = function.witness(wrong, CLAIM[wanted], function.digits(wrong))
         return Refuted(ENGINE, witness)
@@ -264,7 +279,8 @@ def _concave(family: Family) -> Answer:
         return Undecided("concavity is decided for functions of one variable only", ENGINE)
     function = Quotient.of(family)
     (symbol,), (side,) = function.box.symbols, function.box.sides
-    curvature = Quotient.of(OnBox(sp.diff(function.value, symbol, 2), {symbol: side}))
+    second = derivative(derivative(function.term, symbol.name), symbol.name)
+    curvature = Quotient.of(OnBox(sp.diff(function.value, symbol, 2), {symbol: side}, second))
     if vanishes_identically(curvature.numerator):
         return Proved(ENGINE, "it is linear")
     chart = _chart(curvature)

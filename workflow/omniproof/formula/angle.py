@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import NamedTuple, TypeVar
 
-from omniproof.formula.functions import ANGLES, ON_CIRCLE, Point
+from omniproof.formula.functions import ANGLES, Point, angle
 from omniproof.formula.monomials import Monomial, expand
 from omniproof.formula.term import (
     PI,
@@ -14,6 +14,7 @@ from omniproof.formula.term import (
     Symbol,
     Term,
 )
+from omniproof.transcription.functions import FUNCTIONS
 
 T = TypeVar("T")
 
@@ -40,12 +41,14 @@ def is_independent(atom: Monomial) -> bool:
 
 def circular(function: str, one: T, cosine: T, sine: T) -> tuple[T, T]:
     """Return numerator and denominator of a circular function at a point of the circle."""
-    return ON_CIRCLE[function](one, cosine, sine)
+    parts = {"1": one, "c": cosine, "s": sine}
+    above, below = FUNCTIONS[function].circle or ("", "")
+    return parts[above], parts[below]
 
 
 def inverse_function(atom: Monomial) -> Point | None:
     """Return cosine and sine of an atom that is an inverse function; None for any other atom."""
     match tuple(atom):
         case ((Call(function=function, arguments=arguments), 1),) if function in ANGLES:
-            return ANGLES[function](*arguments)
+            return angle(function, *arguments)
     return None

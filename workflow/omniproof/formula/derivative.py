@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.functions import FUNCTIONS, Lacks
+from omniproof.formula.functions import Lacks, derivatives
 from omniproof.formula.term import (
     ONE,
     ZERO,
@@ -48,11 +48,11 @@ def _rule(part: Term, found: dict[Term, Term]) -> Term:
             lower = ONE if exponent == 1 else Power(base, exponent - 1)
             return _product(number(exponent), lower, found[base])
         case Call(function=function, arguments=arguments):
-            rules = FUNCTIONS[function].derivatives if function in FUNCTIONS else Lacks("")
-            if isinstance(rules, Lacks):
+            known = derivatives(function, *arguments)
+            if isinstance(known, Lacks):
                 raise UnsupportedError(f"the derivative of {function} is not known")
-            partial = zip(rules, arguments, strict=True)
-            return _sum(*(_product(rule(*arguments), found[each]) for rule, each in partial))
+            partial = zip(known, arguments, strict=True)
+            return _sum(*(_product(slope, found[each]) for slope, each in partial))
     raise UnsupportedError(f"the derivative of an {type(part).__name__.lower()} is not taken")
 
 

@@ -16,8 +16,8 @@ from sympy import MatrixBase
 from omniproof.formula.sympy_terms import Converter
 from omniproof.formula.unfold import unfold
 from omniproof.formula.value import Function
+from omniproof.formula.writers import latex
 from omniproof.transcription import tree
-from omniproof.transcription.printer import latex
 from omniproof.transcription.tokens import LatexError
 
 __all__ = ["Function", "Lifted", "Meaning", "Value", "evaluate"]

@@ -7,7 +7,7 @@ expressions of a derivation.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -16,7 +16,6 @@ from types import FunctionType
 from typing import Any, NoReturn
 
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.functions import FUNCTIONS, applied
 from omniproof.formula.grid import LARGEST_DETERMINANT, Grid, ShapeError, cross, inner
 from omniproof.formula.monomials import is_plainly_zero
 from omniproof.formula.term import (
@@ -38,9 +37,11 @@ from omniproof.formula.term import (
     substitute,
 )
 from omniproof.formula.value import Cases, Comparison, Function, Logic, Statement, Value, kind
+from omniproof.formula.writers import latex
 from omniproof.transcription import tree
 from omniproof.transcription.faults import nearest
-from omniproof.transcription.printer import latex
+from omniproof.transcription.functions import FUNCTIONS
+from omniproof.transcription.reader import read
 from omniproof.transcription.tokens import LatexError
 
 AXES = {"x": 0, "y": 1, "z": 2}
@@ -61,6 +62,17 @@ def unfold(node: tree.Node, meanings: Mapping[str, Any], source: str = "") -> Va
     that was read.
     """
     return _Scope(meanings, source).value(node)
+
+
+def applied(function: str, arguments: Sequence[Term]) -> Term:
+    """Return a function of terms, by its definition if it has one; of more than two, in turn."""
+    definition = FUNCTIONS[function].definition if function in FUNCTIONS else ""
+    if not definition:
+        return Call(function, tuple(arguments))
+    node = read(definition, symbols="xy")
+    if len(arguments) == 1:
+        return unfold(node, {"x": arguments[0]})
+    return reduce(lambda x, y: unfold(node, {"x": x, "y": y}), arguments)
 
 
 @dataclass(frozen=True)

@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from itertools import combinations
 
-from omniproof.formula.functions import COMMANDS, FUNCTIONS
 from omniproof.repair.kinds import Edit, Repair, Word, edited, join, unbraced
 from omniproof.repair.regrouped import regrouped
 from omniproof.transcription import tree
+from omniproof.transcription.functions import COMMANDS, FUNCTIONS
 from omniproof.transcription.tokens import Token, tokenize
 from omniproof.transcription.tree import Span
 

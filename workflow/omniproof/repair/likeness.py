@@ -12,8 +12,8 @@ from fractions import Fraction
 from math import prod
 from typing import TypeAlias
 
-from omniproof.formula.functions import FUNCTIONS
 from omniproof.transcription import tree
+from omniproof.transcription.functions import FUNCTIONS
 
 PARITY = {row.name: row.parity for row in FUNCTIONS.values() if row.parity}
 

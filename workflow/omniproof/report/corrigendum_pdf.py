@@ -16,13 +16,14 @@ from typing import Final
 import typst
 
 from omniproof.audit.ledger import Consequence, Row
+from omniproof.formula.writers import words
 from omniproof.report.anchors import anchor
 from omniproof.report.corrigendum import Corrigendum, Item, Premise, place
 from omniproof.report.fragments.base import sentences
 from omniproof.report.fragments.claims import symbol_latex
 from omniproof.report.groups import Group, matrix_of
 from omniproof.report.theme import MARKS
-from omniproof.report.typstmath import cell, contrasted, inline, is_formula, math, words
+from omniproof.report.typeset import cell, contrasted, inline, is_formula, math
 from omniproof.transcription.ids import base, index, whole
 from omniproof.transcription.model import Kind
 

@@ -51,7 +51,7 @@ def _subset(signs: Iterable[str]) -> bytes:
     font = TTFont(_file(), recalcTimestamp=False)
     _narrow_roots(font)
     subsetter = Subsetter(options)
-    subsetter.populate(unicodes={ord(sign) for sign in signs})
+    subsetter.populate(unicodes={_ROOT, *map(ord, signs)})  # no text of MathML has a root
     subsetter.subset(font)
     font.flavor = options.flavor
     stream = BytesIO()

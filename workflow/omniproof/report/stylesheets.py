@@ -22,8 +22,10 @@ def used_rules(css: str, classes: Collection[str]) -> str:
     """Return a style sheet without the rules for classes that are not among `classes`."""
     kept: list[str] = []
     for head, body in _rules(css):
-        statements, _, selector = head.rpartition(";")  # such as @charset
+        statements, _, selector = head.rpartition(";")  # such as @charset, @import
         kept += [f"{statements};"] * bool(statements)
+        if not selector:
+            continue
         if selector.startswith(_NESTED):
             inner = used_rules(body, classes)
             kept += [f"{selector}{{{inner}}}"] * bool(inner)
@@ -52,3 +54,4 @@ def _rules(css: str) -> Iterator[tuple[str, str]]:
             if depth == 0:
                 yield css[start : opened - 1].strip(), css[opened : found.start()].strip()
                 start = found.end()
+    yield css[start:].strip(), ""

@@ -8,8 +8,8 @@ from collections.abc import Sequence, Sized
 from omniproof.audit.ledger import Ledger, Row, Verdict
 from omniproof.report.findings import consequential, sentence
 from omniproof.report.fragments.counts import verdict_counts
-from omniproof.report.latexfmt import plain
 from omniproof.report.theme import MARKS
+from omniproof.report.typeset import spoken
 from omniproof.visible import visible
 
 WIDTH = 80
@@ -53,7 +53,7 @@ def finding_line(row: Row, *, named: bool) -> str:
     """
     shape = MARKS[Verdict(row.verdict)].shape
     where = f"{row.paper}, {row.where}" if named else row.where
-    return _cut(f"  {shape} {where}: {plain(sentence(row, short=True))}")
+    return _cut(f"  {shape} {where}: {spoken(sentence(row, short=True))}")
 
 
 def _cut(line: str) -> str:

@@ -1,4 +1,4 @@
-r"""LaTeX of the ledger as Typst math, for what is typeset without a TeX installation.
+r"""TeX as Typst math: the report's own prose has more of it than the formulas of a paper.
 
 Typst is a programming language, and the LaTeX comes from outside: so nothing is passed through.
 A formula is read into pieces that only this module's tables can make; letters and digits stand
@@ -9,46 +9,38 @@ makes the whole formula appear as code (`raw`): ugly, but visible, and never run
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-from difflib import SequenceMatcher
 from itertools import zip_longest
 from typing import TypeAlias
 
-from omniproof.report.latexfmt import GREEK, PIECE, TAG, is_latex, plain
-from omniproof.transcription.model import ID
+from omniproof.formula.writers.typst_text import AROUND, said, words
+from omniproof.formula.writers.typst_text import SYMBOLS as LETTERS_AND_SIGNS
+from omniproof.report.latexfmt import TAG
+from omniproof.transcription.functions import COMMANDS
+from omniproof.transcription.functions import FUNCTIONS as FUNCTIONS_OF_MATHEMATICS
 
 _TOKEN = re.compile(r"\\(?:begin|end)\s*\{\w+\*?\}|\\[A-Za-z]+|\\.|\d+(?:\.\d+)?|\s+|.", re.DOTALL)
 _TEXT = re.compile(r"\\(?:text|textbf|mathrm|operatorname)\s*\{([^{}\\$]*)\}")
-_MATRIX = re.compile(r"\\begin\{[bpv]?matrix\}(.*?)\\end\{[bpv]?matrix\}", re.DOTALL)
-_NEW_ROW = "\\\\"
 MAX_DEPTH = 64
 
-_VARIANTS = {"phi": "phi.alt", "varphi": "phi", "epsilon": "epsilon.alt", "varepsilon": "epsilon"}
 SYMBOLS = {
-    **{name: name for name in GREEK},
-    **_VARIANTS,
-    **{name: name for name in ("cos", "sin", "tan", "cot", "det", "ln", "exp", "lim")},
-    **{name: name for name in ("max", "min", "sum", "in", "times", "perp", "prime", "angle")},
-    "nabla": "nabla", "emptyset": "emptyset", "int": "integral", "propto": "prop",
-    "leq": "lt.eq", "le": "lt.eq", "geq": "gt.eq", "ge": "gt.eq", "mp": "minus.plus",
-    "neq": "eq.not", "ne": "eq.not", "pm": "plus.minus", "cdot": "dot.op", "to": "arrow.r",
-    "rightarrow": "arrow.r", "Leftrightarrow": "arrow.l.r.double", "ldots": "dots", "dots": "dots",
-    "cdots": "dots.c", "cup": "union", "cap": "inter", "mid": 'class("relation", bar.v)',
-    "circ": "compose", "langle": "chevron.l", "rangle": "chevron.r", "degree": "degree",
-    "|": 'class("normal", bar.v.double)', "{": r"\{", "}": r"\}", "%": "percent", "_": '"_"',
-    " ": "space.nobreak",
+    **{sign[1:]: text for sign, text in LETTERS_AND_SIGNS.items() if sign[0] == "\\"},
+    **{command: FUNCTIONS_OF_MATHEMATICS[name].typst for command, name in COMMANDS.items()},
+    **{name: name for name in ("det", "lim", "sum", "emptyset", "degree")},
+    "int": "integral", "propto": "prop", "le": "lt.eq", "ge": "gt.eq", "ne": "eq.not",
+    "pm": "plus.minus", "mp": "minus.plus", "to": "arrow.r", "rightarrow": "arrow.r",
+    "ldots": "dots", "dots": "dots", "cdots": "dots.c", "cup": "union", "cap": "inter",
+    "%": "percent", "_": '"_"', " ": "space.nobreak",
     ",": "thin", ";": "thick", ":": "med", "!": "", "quad": "quad", "qquad": "wide",
     "\\": "quad", "limits": "", "nolimits": "", "displaystyle": "", "big": "", "Big": "",
 }  # fmt: skip
 """What a command without arguments becomes; an empty text leaves it out."""
 
 FUNCTIONS = {
-    "frac": "frac", "dfrac": "frac", "tfrac": "frac", "dot": "dot", "ddot": "dot.double",
-    "hat": "hat", "bar": "macron", "overline": "overline", "tilde": "tilde", "widetilde": "tilde",
-    "vec": "arrow", "boldsymbol": "bold", "mathcal": "cal", "mathbb": "bb", "mathit": "italic",
-    "mathbf": "bold(upright", "mathrm": "upright", "mathsf": "sans", "operatorname": "upright",
-    "sqrt": "sqrt", "binom": "binom", "boxed": "boxed", "changed": "changed",
+    **{command[1:]: call for command, call in AROUND.items()},
+    "frac": "frac", "dfrac": "frac", "tfrac": "frac", "operatorname": "upright", "sqrt": "sqrt",
+    "binom": "binom", "boxed": "boxed", "changed": "changed",
 }  # fmt: skip
 """What a command with arguments becomes; two of them have two, everything else one."""
 
@@ -57,10 +49,9 @@ _CLASSES = {"mathbin": "binary", "mathrel": "relation", "mathop": "large"}
 """Commands that say what space there is around their argument."""
 
 _SIGNS = {
-    "+": "+", "-": "-", "=": "=", "<": "<", ">": ">", "(": r"\(", ")": r"\)", "[": r"\[",
-    "]": r"\]", ",": r"\,", ";": r"\;", "|": 'class("normal", bar.v)', "/": r"\/",
-    "*": "ast.op", "°": "degree",
-    "&": "", "~": "space.nobreak", "∈": "in", "≤": "lt.eq", "≥": "gt.eq", "−": "-", "×": "times",
+    **{sign: text for sign, text in LETTERS_AND_SIGNS.items() if sign[0] != "\\"},
+    ";": r"\;", "°": "degree", "&": "", "~": "space.nobreak", "∈": "in", "≤": "lt.eq",
+    "≥": "gt.eq", "−": "-", "×": "times",
 }  # fmt: skip
 _MATRICES = {"pmatrix": '"("', "bmatrix": '"["', "vmatrix": '"|"', "matrix": "#none"}
 
@@ -92,123 +83,8 @@ def source(row: Row) -> str:
     return " ".join(map(str, row)) or '""'
 
 
-def words(text: str) -> str:
-    """Return a Typst string literal: nothing in it is markup or code."""
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{" ".join(escaped.split())}"'
-
-
-def math(latex: str) -> str:
-    """Return Typst markup of a formula; of one that cannot be set, its LaTeX as code."""
-    try:
-        return _equation(source(read(latex)), latex)
-    except UnsettableError:
-        return _code(latex)
-
-
-def is_formula(text: str) -> bool:
-    """Whether a ledger cell is one formula that can be set."""
-    try:
-        return is_latex(text) and not ID.fullmatch(text) and bool(read(text))
-    except UnsettableError:
-        return False
-
-
-def contrasted(printed: str, corrected: str) -> tuple[str, str]:
-    """Return Typst markup of two formulas, with what differs in `old(…)` and in `new(…)`.
-
-    Formulas that share nothing, or cannot be set, are not marked.
-    """
-    try:
-        one, two = read(printed), read(corrected)
-    except UnsettableError:
-        return math(printed), math(corrected)
-    if not set(one) & set(two):
-        return math(printed), math(corrected)
-    marked = _marked(one, two, "old"), _marked(two, one, "new")
-    return _equation(marked[0], printed), _equation(marked[1], corrected)
-
-
-def _equation(text: str, latex: str) -> str:
-    """Return an equation with its text for those who hear it (PDF/UA asks for one)."""
-    return f"#math.equation(alt: {words(spoken(latex))}, ${text}$);"
-
-
-def spoken(latex: str) -> str:
-    r"""Return a formula as text for a screen reader: `\sin\alpha_1` gives `sin α₁`.
-
-    A matrix is read by rows: `(a, b; c, d)`.
-    """
-    rows = _MATRIX.sub(lambda m: f"({m[1].replace('&', ',').replace(_NEW_ROW, ';')})", latex)
-    apart = re.sub(r"(\\(?:sin|cos|tan))(?=\\)", r"\1 ", rows)
-    return plain(apart.replace(r"\{", "(").replace(r"\}", ")"))
-
-
-def inline(text: str, refer: Callable[[str], str]) -> str:
-    """Return Typst markup of words with `$math$`, `code` and claim ids (markup by `refer`)."""
-    parts: list[str] = []
-    end = 0
-    for piece in PIECE.finditer(text):
-        latex, code, claim = piece.groups()
-        parts += [_spaced(text[end : piece.start()])]
-        parts += [math(latex) if latex else _code(code) if code else refer(claim)]
-        end = piece.end()
-    return "".join([*parts, _spaced(text[end:])])
-
-
-def cell(text: str, refer: Callable[[str], str]) -> str:
-    """Return Typst markup of a ledger cell: a formula, a decimal, or words (see `inline`)."""
-    if ID.fullmatch(text) or not (is_latex(text) or ("\\" in text and "$" not in text)):
-        return inline(text, refer)
-    return math(text)
-
-
-def _spaced(text: str) -> str:
-    """Return words as string literals, with blank space at the ends kept as markup."""
-    if not text.strip():
-        return " " if text else ""
-    left, right = (" " if text[k].isspace() else "" for k in (0, -1))
-    return f"{left}#{words(text)};{right}"
-
-
-def _code(text: str) -> str:
-    return f"#raw({words(text)});"
-
-
 def _woven(glue: tuple[str, ...], parts: list[str]) -> str:
     return "".join(a + b for a, b in zip_longest(glue, parts, fillvalue=""))
-
-
-def _marked(row: Row, other: Row, mark: str) -> str:
-    """Return Typst source of a row with what `other` lacks inside `mark(…)`, as deep as it goes."""
-    done: list[str] = []
-    matcher = SequenceMatcher(a=row, b=other, autojunk=False)
-    for what, a, b, c, d in matcher.get_opcodes():
-        if what == "equal":
-            done += map(str, row[a:b])
-        elif _alike(row[a:b], other[c:d]):
-            done += [_inside(x, y, mark) for x, y in zip(row[a:b], other[c:d], strict=True)]
-        elif b > a:
-            done.append(_wrapped(row[a:b], mark))
-    return " ".join(done) or '""'
-
-
-def _alike(row: Row, other: Row) -> bool:
-    """Whether marks can go inside of these pieces: marks would grow in what is set small."""
-    small = any(piece.glue[0] in {"attach(", "frac("} for piece in row)
-    return not small and [piece.glue for piece in row] == [piece.glue for piece in other]
-
-
-def _wrapped(row: Row, mark: str) -> str:
-    """Put a mark around pieces; a lone sign keeps the space that it has between its sides."""
-    text = f"{mark}({source(row)})"
-    kind = {"+": "binary", "-": "binary", "=": "relation"}.get(source(row), "")
-    return f'class("{kind}", {text})' if kind else text
-
-
-def _inside(piece: Piece, other: Piece, mark: str) -> str:
-    pairs = zip(piece.parts, other.parts, strict=True)
-    return _woven(piece.glue, [_marked(one, two, mark) for one, two in pairs])
 
 
 def read(latex: str) -> Row:
@@ -284,7 +160,7 @@ class _Reader:
         if not token:
             raise UnsettableError("the formula ends where an argument is needed")
         if token[0] == '"':
-            return (Piece((_said(token[1:]),)),)
+            return (Piece((said(token[1:]),)),)
         if token[0] == "\\":
             return self._command(token[1:])
         if token[0].isalnum() and token.isascii():
@@ -372,11 +248,3 @@ def _grid(rows: list[list[Row]], aside: str, below: str) -> tuple[tuple[str, ...
     for row in rows:
         glue += [aside] * (len(row) - 1) + [below]
     return tuple(glue[:-1]), tuple(cell for row in rows for cell in row)
-
-
-def _said(text: str) -> str:
-    r"""Return the words of `\text{ … }` with the space at their ends; without any, an operator."""
-    if text == text.strip():
-        return f"op({words(text)})"
-    left, right = (" " if text[k : k + 1 or None].isspace() else "" for k in (0, -1))
-    return f'class("normal", "{left}{words(text)[1:-1]}{right}")'

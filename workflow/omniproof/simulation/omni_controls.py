@@ -18,9 +18,9 @@ from sympy import Expr, ImmutableMatrix, Symbol, lambdify
 
 from omniproof.audit.context import Context
 from omniproof.papers.omni_trajectory.derivations import REGISTRY
-from omniproof.papers.omni_trajectory.derivations.quantities import (
+from omniproof.papers.omni_trajectory.derivations.quantities import CHANGING_SPEEDS
+from omniproof.papers.omni_trajectory.symbols import (
     BODY_RADIUS,
-    CHANGING_SPEEDS,
     CONSTANT_SPEEDS,
     HEADING,
     TIME,

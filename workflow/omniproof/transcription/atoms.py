@@ -12,9 +12,9 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import replace
 
-from omniproof.formula.functions import COMMANDS, FUNCTIONS, INVERSES, WORDS
 from omniproof.transcription.conventions import Names, Writing
 from omniproof.transcription.enclosed import EnclosedReader
+from omniproof.transcription.functions import COMMANDS, FUNCTIONS, INVERSES, WORDS
 from omniproof.transcription.tokens import MAX_DEPTH, Cure, LatexError, Token
 from omniproof.transcription.tree import (
     Applied,
@@ -56,7 +56,7 @@ class AtomReader(EnclosedReader, ABC):
     """Reads atoms; the rules for sums and statements come from the reader above."""
 
     def __init__(self, source: str, names: Names, notation: Writing) -> None:
-        super().__init__(source, names.declared)
+        super().__init__(source, None if names.shown else names.declared)
         self.quantities, self.functions = names.quantities, names.functions
         self.alone = names.alone
         self.shorthands = notation.functions
@@ -135,8 +135,7 @@ class AtomReader(EnclosedReader, ABC):
             return Call(self.shorthands[token.text], self.expression(), span=self.since(start))
         self.refuse_spelled_function(start)
         if token.kind == "font" and (word := self.word()) in WORDS:
-            self.place += len(word) + 3
-            return self.function(WORDS[word], start)
+            return self.function(self.worded(word), start)
         name = self.symbol()
         span = self.since(start)
         if self.alone and self.peek().kind == "number" and self.since(start)[1] == self.start:
@@ -153,6 +152,15 @@ class AtomReader(EnclosedReader, ABC):
             letters += self.peek(step).text
             step += 1
         return letters if self.peek(1).text == "{" and self.peek(step).text == "}" else ""
+
+    def worded(self, word: str) -> str:
+        r"""Step over `\mathrm{word}` and return the function; some write `\mathrm{atan}_2`."""
+        self.place += len(word) + 3
+        for index in (["_", "2"], ["_", "{", "2", "}"]):
+            if f"{word}2" in WORDS and [self.peek(k).text for k in range(len(index))] == index:
+                self.place += len(index)
+                return WORDS[f"{word}2"]
+        return WORDS[word]
 
     def refuse_spelled_function(self, start: int) -> None:
         """Refuse `sin x`, which would be the product s i n x."""
@@ -272,8 +280,7 @@ class AtomReader(EnclosedReader, ABC):
             self.place += 1
             cure = f"write one of {', '.join(sorted(WORDS))}"
             self.expected("a function that is read", cure)
-        self.place += len(word) + 3
-        return self.function(WORDS[word], start)
+        return self.function(self.worded(word), start)
 
     def function(self, name: str, start: int) -> Node:
         r"""function = "\sin" ["^" whole number] argument; the power -1 is the inverse function."""

@@ -15,9 +15,9 @@ from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from omniproof.formula.functions import COMMANDS
 from omniproof.transcription.conventions import Names
 from omniproof.transcription.faults import BadInput, Fault, nearest, shorten
+from omniproof.transcription.functions import SHORTENED
 from omniproof.transcription.ids import base, whole
 from omniproof.transcription.messages import label, model_fault
 from omniproof.transcription.model import Claim, Notation, Paper, Reading, Role, Symbol, Table
@@ -133,10 +133,10 @@ class Check:
         """Shorthands are one letter for a function that is read."""
         for short, function in self.notation.functions.items():
             path = ("notation", "functions", short)
-            if function not in COMMANDS:
-                known = ", ".join(sorted(COMMANDS))
+            if function not in SHORTENED:
+                known = ", ".join(sorted(SHORTENED))
                 message = f"expected one of {known}, found `{function[:20]}`"
-                self.fault(path, message, nearest(function, COMMANDS))
+                self.fault(path, message, nearest(function, SHORTENED))
             if len(short) != 1 or not short.isalpha():
                 self.fault(path, f"expected one letter for a function, found `{short[:20]}`")
 

@@ -41,6 +41,8 @@ class Names:
     functions: frozenset[str] = frozenset()
     alone: bool = False
     """Whether nobody declares symbols: `f(x)` is read as applied, and to be refused later."""
+    shown: bool = False
+    """Whether a formula is only shown, not judged: then every name is a symbol."""
 
 
 ALONE = Names(alone=True)

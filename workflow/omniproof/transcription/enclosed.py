@@ -31,7 +31,7 @@ from omniproof.transcription.tree import (
 class EnclosedReader(SymbolReader, ABC):
     """Reads enclosed parts; the rules for what is inside come from the readers above."""
 
-    def __init__(self, source: str, declared: Collection[str]) -> None:
+    def __init__(self, source: str, declared: Collection[str] | None) -> None:
         super().__init__(source, declared)
         self.bars: list[str] = []  # what would close the bars that are open here
         self.brackets: dict[int, tuple[Node, int]] = {}  # read once, even where read ahead

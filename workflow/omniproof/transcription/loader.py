@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TypeAlias
 
 from omniproof.transcription.checking import Check, Position, one_is_enough
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.files import display_name, refuse_no_folder
-from omniproof.transcription.model import Claim, Paper, Symbol
-from omniproof.transcription.paperfile import load_document
+from omniproof.transcription.known import Known, known_by_code
+from omniproof.transcription.model import KEY, Claim, Paper, Symbol
+from omniproof.transcription.paperfile import Document, Tree, load_document
 from omniproof.transcription.tablefile import Cell
 from omniproof.transcription.tree import Node
 
 __all__ = ["FILE", "LoadedPaper", "Position", "load_paper", "load_sound_part"]
 
 FILE = "paper.yaml"
+Knowing: TypeAlias = Callable[[str], Known | None]
+"""What code says of the symbols of a paper with this key, if there is any."""
 
 
 @dataclass(frozen=True)
@@ -64,25 +69,28 @@ class LoadedPaper:
         return self.declared_at[name, key].fault(f"symbols[{name}].{key}", message, cure)
 
 
-def load_paper(folder: Path) -> LoadedPaper:
-    """Load `paper.yaml` and its tables.
+def load_paper(folder: Path, known: Knowing = known_by_code) -> LoadedPaper:
+    """Load `paper.yaml` and its tables; `known` gives what code says of the symbols, by key.
 
     Raises `BadInput` with all faults of the folder.
     """
-    loaded, faults = load_sound_part(folder)
+    loaded, faults = load_sound_part(folder, known)
     if faults:
         raise BadInput(faults)
     return loaded
 
 
-def load_sound_part(folder: Path) -> tuple[LoadedPaper, tuple[Fault, ...]]:
+def load_sound_part(
+    folder: Path, known: Knowing = known_by_code
+) -> tuple[LoadedPaper, tuple[Fault, ...]]:
     """Load what is right in a folder, with the faults of the rest, so that more can be checked.
 
     Raises `BadInput` where nothing can be told of any entry: a file that cannot be read, no key.
     """
     refuse_no_folder(folder)
     document = load_document(folder / FILE)
-    check = Check(folder, document, one_is_enough(document.values))
+    values, faults = _completed(document, known)
+    check = Check(folder, document, one_is_enough(values), faults=faults)
     check.run()
     paper = check.paper or check.sound_part()
     if paper is None:
@@ -102,6 +110,13 @@ def load_sound_part(folder: Path) -> tuple[LoadedPaper, tuple[Fault, ...]]:
         check.declared_at,
     )
     return loaded, tuple(check.faults)
+
+
+def _completed(document: Document, known: Knowing) -> tuple[Tree, list[Fault]]:
+    """Add what code says of the symbols; a key that is none is told later."""
+    key = document.values.get("key") if isinstance(document.values, dict) else None
+    found = known(key) if isinstance(key, str) and re.fullmatch(KEY, key) else None
+    return found.completed(document) if found else (document.values, [])
 
 
 def _merged(claims: tuple[Claim, ...], cells: Mapping[str, tuple[Cell, ...]]) -> tuple[Claim, ...]:

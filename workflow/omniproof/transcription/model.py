@@ -153,6 +153,10 @@ class Symbol(Record):
         return self
 
 
+KEY = r"^[a-z][a-z0-9-]*$"
+"""The key of a paper."""
+
+
 class Notation(Record):
     """The paper's conventions of writing, for what would otherwise be ambiguous."""
 
@@ -273,7 +277,7 @@ class Edition(Record):
 class Paper(Record):
     """One paper: its edition, its symbols, its conventions, its claims in reading order."""
 
-    key: Annotated[str, StringConstraints(pattern=r"^[a-z][a-z0-9-]*$")]
+    key: Annotated[str, StringConstraints(pattern=KEY)]
     edition: Edition
     notation: Notation = Notation()
     symbols: tuple[Symbol, ...] = ()

@@ -14,7 +14,7 @@ from difflib import get_close_matches
 from functools import lru_cache
 from typing import NamedTuple
 
-from omniproof.formula.functions import COMMANDS
+from omniproof.transcription.functions import COMMANDS
 from omniproof.transcription.tree import Span
 from omniproof.visible import hidden
 

@@ -20,11 +20,17 @@ from omniproof.formula.monomials import expand, joined
 from omniproof.formula.term import Call, Pi, Term, symbols, walk
 
 STEPS = 100_000
+NOWHERE = "there is no point at which both sides are defined"
 
 
 @dataclass(frozen=True)
 class Equal:
-    """There are no real numbers at which the sides differ and are defined."""
+    """There are no real numbers at which the sides differ, and some at which they are defined.
+
+    What was `widened` may be defined nowhere: a part that cancels was left out.
+    """
+
+    widened: bool = False
 
 
 @dataclass(frozen=True)
@@ -77,7 +83,8 @@ class _Question(Translation):
         differ = left.above * right.below != right.above * left.below
         verdict, model = self.check(steps, *defined, differ)
         if verdict == self.z3.unsat:
-            return Equal()
+            nowhere = (defined or self.conditions) and self.check(steps, *defined)[0]
+            return NoAnswer(NOWHERE) if nowhere == self.z3.unsat else Equal(self.widened)
         if verdict != self.z3.sat:
             return NoAnswer(f"no answer within {steps} steps")
         if self.is_mixed:

@@ -45,6 +45,10 @@ RELATIONS: dict[str, Callable[[Any], Any]] = {
 """How a number may stand to 0."""
 
 
+LACKING = dict.fromkeys(("sign", "exp", "log"), "no root of a polynomial: it is not asked")
+"""Why functions of the table are not translated; roots and powers are for orders."""
+
+
 class OutsideError(ValueError):
     """The formula is not a small rational one; its text says why."""
 

@@ -15,12 +15,12 @@ from itertools import pairwise
 from typing import Any, TypeAlias
 
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.functions import FUNCTIONS
 from omniproof.formula.grid import Grid
 from omniproof.formula.term import Term
 from omniproof.formula.writers.identifiers import identifier
 from omniproof.formula.writers.printable import printable
 from omniproof.transcription import tree
+from omniproof.transcription.functions import FUNCTIONS
 
 Formula: TypeAlias = tree.Node | Term | Grid
 SUM, PRODUCT, POWER, ATOM = range(4)

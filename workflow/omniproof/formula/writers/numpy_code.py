@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.functions import FUNCTIONS
 from omniproof.formula.writers.code import (
     ATOM,
     COLUMN,
@@ -19,6 +18,7 @@ from omniproof.formula.writers.code import (
     Formula,
     written,
 )
+from omniproof.transcription.functions import FUNCTIONS
 
 LIBRARY = {
     "pi": "np.pi", "degrees": "np.radians({0})", "cross": "np.cross({0}, {1})",

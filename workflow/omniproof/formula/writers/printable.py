@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from omniproof.formula.functions import FUNCTIONS
 from omniproof.formula.grid import Grid
 from omniproof.formula.term import (
     Call,
@@ -20,6 +19,7 @@ from omniproof.formula.term import (
     fold,
 )
 from omniproof.transcription import tree
+from omniproof.transcription.functions import FUNCTIONS
 
 Parts = tuple[tree.Node, ...]
 ONE = tree.Number("1")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from omniproof.formula.functions import FUNCTIONS
 from omniproof.formula.writers.code import (
     COLUMN,
     JOINED,
@@ -17,6 +16,7 @@ from omniproof.formula.writers.code import (
     Formula,
     written,
 )
+from omniproof.transcription.functions import FUNCTIONS
 
 LIBRARY = {
     "pi": "sp.pi", "degrees": "sp.rad({0})", "cross": "{0}.cross({1})", "inner": "{0}.dot({1})",

@@ -7,7 +7,8 @@ import math
 from sympy import Interval, Rational, pi, solveset
 
 from omniproof.kinematics.omni import twist_matrix
-from omniproof.papers.ballbot.laws import BALL_RADIUS, PHI, RUNNING_RADIUS, at_rest, gram, rolling
+from omniproof.papers.ballbot.laws import BALL_RADIUS, at_rest, gram, rolling
+from omniproof.papers.ballbot.symbols import PHI, RUNNING_RADIUS
 
 ANGLES_DEG = (15, 30, 45, 60, 75, 90, 135)
 WALL = Rational(9, 10)

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from sympy import Expr, ImmutableMatrix, Integer, Symbol, atan, diag, pi, sqrt
+from sympy import Expr, ImmutableMatrix, Symbol, atan, diag, sqrt
 
 from omniproof.kinematics import ballbot
+from omniproof.papers.ballbot.symbols import PHI, RUNNING_RADIUS
 
-PHI = Symbol("phi", real=True)
-"""Zenith angle of the wheels, from the lowest point of the inner surface (rad)."""
-
-LOWER_HALF = (Integer(0), pi / 2)
-"""Zenith angles of wheels on the lower half of the ball (rad)."""
-
-RUNNING_RADIUS = Symbol("L", positive=True)
 BALL_RADIUS = Symbol("rho", positive=True)
-"""Radii of the inner running surface and of the ball (m); the wall of the ball lies between."""
+"""Radius of the ball (m); its wall lies between this and the inner running surface."""
 
 ISOTROPIC = atan(1 / sqrt(2))
 """Zenith angle (rad) at which the law of the rolling ball is isotropic; see `thm:zenith-angle`."""

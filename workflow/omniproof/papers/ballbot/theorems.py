@@ -22,15 +22,8 @@ from sympy import (
 )
 
 from omniproof.kinematics import ballbot, frames, omni
-from omniproof.papers.ballbot.laws import (
-    BALL_RADIUS,
-    ISOTROPIC,
-    PHI,
-    RUNNING_RADIUS,
-    at_rest,
-    gram,
-    rolling,
-)
+from omniproof.papers.ballbot.laws import BALL_RADIUS, ISOTROPIC, at_rest, gram, rolling
+from omniproof.papers.ballbot.symbols import PHI, RUNNING_RADIUS
 from omniproof.registry import Family, Obligation, Step, Theorem
 from omniproof.transcription.model import Form
 

@@ -14,12 +14,12 @@ from omniproof.decide.answer import Undecided
 from omniproof.kinematics import zonotope
 from omniproof.papers.omni_arrangement.arrangements import CORRECTED, SWEEP, isosceles
 from omniproof.papers.omni_arrangement.derivations.quantities import (
-    THETA,
     image_area,
     image_volume,
     platform,
 )
 from omniproof.papers.omni_arrangement.derivations.simulation import area_of, by_type, section_of
+from omniproof.papers.omni_arrangement.symbols import THETA
 
 LIMITS = (0.25, 0.5, 1.0, 2.0)
 """Bounds on |L * yaw rate| (m/s) between no rotation and as much as the wheels give."""

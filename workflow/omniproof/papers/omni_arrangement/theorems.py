@@ -27,10 +27,6 @@ from omniproof.papers.omni_arrangement.derivations.evaluation import (
     volume_by_arcs,
 )
 from omniproof.papers.omni_arrangement.derivations.quantities import (
-    ANGLE,
-    ANGLES,
-    RADIUS,
-    THETA,
     cross_products,
     general,
     image_area,
@@ -39,6 +35,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     sum_of_columns,
 )
 from omniproof.papers.omni_arrangement.derivations.simulation import by_type, section_of
+from omniproof.papers.omni_arrangement.symbols import ANGLE, ANGLES, RADIUS, THETA
 from omniproof.registry import Family, Obligation, Step, Theorem
 from omniproof.transcription.model import Form
 

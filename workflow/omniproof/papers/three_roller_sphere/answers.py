@@ -15,10 +15,9 @@ from omniproof.papers.three_roller_sphere.rollers import (
     AZIMUTHS,
     ELEVATION,
     ELEVATIONS,
-    PHI,
-    RADIUS,
     pattern_spin,
 )
+from omniproof.papers.three_roller_sphere.symbols import PHI, RADIUS
 
 NUMERALS = ("I", "II", "III", "IV")
 UPPER_HALF = (pi * 0, pi / 2)

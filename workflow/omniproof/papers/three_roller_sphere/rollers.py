@@ -7,17 +7,13 @@ azimuth.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 
 from sympy import Expr, ImmutableMatrix, Integer, Rational, Symbol, factor, pi, symbols
 
 from omniproof.kinematics import frames, sphere
-
-RADIUS = Symbol("r", positive=True)
-POINT = ImmutableMatrix(symbols("x y z", real=True))
-"""Any spin, as a point (rad/s)."""
+from omniproof.papers.three_roller_sphere.symbols import PHI, RADIUS
 
 
 @dataclass(frozen=True)
@@ -70,7 +66,8 @@ ROLLERS = tuple(any_roller(name) for name in "123")
 """Three rollers of any placement, orientation and speed."""
 
 
-def optimum(rollers: Sequence[Roller], radius: Expr = RADIUS) -> ImmutableMatrix:
+@cache
+def optimum(rollers: tuple[Roller, ...], radius: Expr = RADIUS) -> ImmutableMatrix:
     """Spin (rad/s) with the least sum of squared slips: 3x1."""
     return sphere.least_squares_spin(
         [roller.contact for roller in rollers],
@@ -82,7 +79,6 @@ def optimum(rollers: Sequence[Roller], radius: Expr = RADIUS) -> ImmutableMatrix
 
 # The simulation
 
-PHI = Symbol("phi", real=True)
 ELEVATION = Symbol("beta", real=True)
 """Common elevation of the contacts, of any pattern (rad)."""
 

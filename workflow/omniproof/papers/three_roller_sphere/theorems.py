@@ -12,13 +12,13 @@ from omniproof.papers.three_roller_sphere.derivations import elimination
 from omniproof.papers.three_roller_sphere.derivations.quantities import COEFFICIENTS, sum_at
 from omniproof.papers.three_roller_sphere.rollers import (
     ELEVATION,
-    POINT,
     ROLLERS,
     Roller,
     optimum,
     pattern,
     pattern_slips,
 )
+from omniproof.papers.three_roller_sphere.symbols import POINT
 from omniproof.registry import Obligation, Step, Theorem
 from omniproof.transcription.model import Form
 

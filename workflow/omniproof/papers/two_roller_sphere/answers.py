@@ -12,7 +12,7 @@ from omniproof.audit.decimals import read_decimal
 from omniproof.audit.preimage import solve_for
 from omniproof.decide.answer import Undecided
 from omniproof.papers.two_roller_sphere import closed_forms
-from omniproof.papers.two_roller_sphere.arrangement import DIRECTION
+from omniproof.papers.two_roller_sphere.symbols import DIRECTION
 from omniproof.papers.two_roller_sphere.symmetric import ANGLE, ANGLES, in_simulation
 
 AHEAD = {"nu": closed_forms.rim_speed(1), "S": closed_forms.slip(1)}

@@ -26,13 +26,10 @@ from sympy import (
 )
 
 from omniproof.kinematics import ballbot, frames, rolling, sphere
+from omniproof.papers.two_roller_sphere.symbols import DIRECTION, RADIUS
 
-RADIUS = Symbol("r", positive=True)
 SPEED = Symbol("V", positive=True)
-"""Radius of the sphere (m), and the speed of its centre (m/s)."""
-
-DIRECTION = Symbol("phi", real=True)
-"""Direction of travel, from the x-axis (rad)."""
+"""Speed of the centre of the sphere (m/s)."""
 
 POLE = frames.UNIT["z"]
 """The normal e of the rollers' plane, in the frame of that plane."""

@@ -12,7 +12,8 @@ from __future__ import annotations
 
 from sympy import Expr, ImmutableMatrix, atan, cos, sin, tan
 
-from omniproof.papers.two_roller_sphere.arrangement import DIRECTION, RADIUS, SPEED
+from omniproof.papers.two_roller_sphere.arrangement import SPEED
+from omniproof.papers.two_roller_sphere.symbols import DIRECTION, RADIUS
 from omniproof.papers.two_roller_sphere.symmetric import ANGLE, HALF, TILT
 
 UPRIGHT = cos(ANGLE) * cos(TILT) - sin(ANGLE) * sin(TILT) * sin(HALF)

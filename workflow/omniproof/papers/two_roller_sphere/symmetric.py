@@ -30,14 +30,13 @@ from sympy.polys.matrices import DomainMatrix
 
 from omniproof.kinematics import frames, sphere
 from omniproof.papers.two_roller_sphere.arrangement import (
-    DIRECTION,
-    RADIUS,
     SPEED,
     Roller,
     spin_of,
     tidied,
     travelling,
 )
+from omniproof.papers.two_roller_sphere.symbols import DIRECTION, RADIUS
 
 HALF, TILT, ANGLE = symbols("h tau alpha_1", real=True)
 """Half the angle between the contacts, tilt of their plane, angle of roller 1 (rad)."""

@@ -23,7 +23,8 @@ from sympy import (
 
 from omniproof.kinematics.sphere import contact_direction
 from omniproof.papers.two_roller_sphere import closed_forms, symmetric
-from omniproof.papers.two_roller_sphere.arrangement import DIRECTION, RADIUS, SPEED, spin_of
+from omniproof.papers.two_roller_sphere.arrangement import SPEED, spin_of
+from omniproof.papers.two_roller_sphere.symbols import DIRECTION, RADIUS
 from omniproof.papers.two_roller_sphere.symmetric import ANGLE, HALF, TILT
 from omniproof.registry import Family, Obligation, Step, Theorem
 from omniproof.transcription.model import Form

@@ -31,8 +31,9 @@ def answers_html(equations: Equations, href: Href) -> str:
     sound = [place for place in blocks if place not in faulty]
     html = [_faulty(place, *blocks[place], href) for place in faulty]
     if sound:
-        html.append('<p class="quiet">The other equations, each to unfold:</p>')
-        html += [_sound(place, *blocks[place]) for place in sound]
+        others = "".join(_sound(place, *blocks[place]) for place in sound)
+        title = f"The other {len(sound)} equations, each to unfold"
+        html.append(f'<details class="others"><summary>{title}</summary>{others}</details>')
     return f'<div class="answers">{"".join(html)}</div>'
 
 

@@ -120,7 +120,7 @@ def table(head: Sequence[str], rows: Iterable[str], kind: str = "") -> str:
     """Return a table in a box of its own that scrolls; head cells and rows are HTML already."""
     columns = "".join(f'<th scope="col">{cell}</th>' for cell in head)
     return (
-        f'<div class="wide" tabindex="0" role="group" aria-label="table">'
+        f'<div class="wide">'
         f'<table class="audit {kind}"><thead><tr>{columns}</tr></thead>'
         f"<tbody>{''.join(rows)}</tbody></table></div>"
     )

@@ -80,7 +80,10 @@ class Chapter:
             for row in self.ledger.rows
             if row.verdict is Verdict.CONDITIONAL
         ]
-        return Fragment(table(["place", "printed", "holds for"], body, "grid"), "conditions")
+        found = table(["place", "printed", "holds for"], body, "grid")
+        title = f"{len(body)} statements, and what each needs"
+        html = f"<details><summary>{title}</summary>{found}</details>"
+        return Fragment(html, "conditions")
 
     def figure(self, number: int | str) -> Fragment:
         """Show figure N of the paper as it was drawn again, or a drawing of our own by its name."""

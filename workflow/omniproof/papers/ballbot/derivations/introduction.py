@@ -6,7 +6,8 @@ from sympy import Expr, Integer, Symbol, diff, pi
 
 from omniproof.kinematics import ballbot, frames
 from omniproof.papers.ballbot.derivations.quantities import REGISTRY
-from omniproof.papers.ballbot.laws import BALL_RADIUS, LOWER_HALF, PHI, RUNNING_RADIUS, rolling
+from omniproof.papers.ballbot.laws import BALL_RADIUS, rolling
+from omniproof.papers.ballbot.symbols import LOWER_HALF, PHI, RUNNING_RADIUS
 from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 

@@ -10,14 +10,11 @@ from omniproof.kinematics import frames
 from omniproof.papers.ballbot.derivations.quantities import (
     AXES,
     REGISTRY,
-    ROTATION,
-    ROTATION_B,
-    TRANSLATION,
-    TRANSLATION_B,
     any_pose,
     free_meanings,
     in_c,
 )
+from omniproof.papers.ballbot.symbols import ROTATION, ROTATION_B, TRANSLATION, TRANSLATION_B
 
 Vanishing = tuple[Expr, ...]
 

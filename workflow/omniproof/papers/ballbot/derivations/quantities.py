@@ -21,25 +21,29 @@ from sympy import (
 )
 
 from omniproof.kinematics import frames, omni, rolling
-from omniproof.papers.ballbot.laws import LOWER_HALF, PHI, RUNNING_RADIUS
+from omniproof.papers.ballbot.symbols import (
+    PHI,
+    ROTATION,
+    ROTATION_B,
+    RUNNING_RADIUS,
+    SYMBOLS,
+    TRANSLATION,
+    TRANSLATION_B,
+    V_X,
+    V_Y,
+    YAW_RATE,
+)
 from omniproof.registry import Registry
 
-REGISTRY = Registry("ballbot", ranges={PHI: LOWER_HALF})
+REGISTRY = Registry("ballbot", symbols=SYMBOLS)
 AXES = "xyz"
 WHEELS = (1, 2, 3)
 
-ROTATION = ImmutableMatrix(symbols("delta_x delta_y delta_z", real=True))
-TRANSLATION = ImmutableMatrix(symbols("d_x d_y d_z", real=True))
-"""Parts of any differential motion: 3x1 each, in rad and m."""
-
-ROTATION_B = ImmutableMatrix(symbols("delta_x_B delta_y_B delta_z_B", real=True))
-TRANSLATION_B = ImmutableMatrix(symbols("d_x_B d_y_B d_z_B", real=True))
 LEVEL_MOTION = rolling.Twist(
     ImmutableMatrix([*TRANSLATION_B[:2], 0]), ImmutableMatrix([0, 0, ROTATION_B[2]])
 )
 """Differential motion of a platform that stays level at one height."""
 
-V_X, V_Y, YAW_RATE = symbols("v_x v_y omega_z", real=True)
 MOTION = ImmutableMatrix([V_X, V_Y, YAW_RATE])
 """Motion of the platform (m/s, m/s, rad/s)."""
 

@@ -8,14 +8,12 @@ from omniproof.kinematics import ballbot, frames
 from omniproof.papers.ballbot.derivations.motion import Vanishing, vanishing
 from omniproof.papers.ballbot.derivations.quantities import (
     REGISTRY,
-    V_X,
-    V_Y,
     WHEELS,
-    YAW_RATE,
     at_wheel_1,
     wheel_frame,
 )
-from omniproof.papers.ballbot.laws import BALL_RADIUS, PHI, RUNNING_RADIUS
+from omniproof.papers.ballbot.laws import BALL_RADIUS
+from omniproof.papers.ballbot.symbols import PHI, RUNNING_RADIUS, V_X, V_Y, YAW_RATE
 from omniproof.registry import Obligation, Relation
 from omniproof.transcription.model import Form
 

@@ -15,15 +15,13 @@ from omniproof.kinematics import ballbot, frames, omni
 from omniproof.papers.ballbot.derivations.quantities import (
     MOTION,
     REGISTRY,
-    V_X,
-    V_Y,
     WHEELS,
-    YAW_RATE,
     at_pose,
     azimuth,
     wheel_frame,
 )
-from omniproof.papers.ballbot.laws import BALL_RADIUS, PHI, RUNNING_RADIUS, at_rest, rolling
+from omniproof.papers.ballbot.laws import BALL_RADIUS, at_rest, rolling
+from omniproof.papers.ballbot.symbols import PHI, RUNNING_RADIUS, V_X, V_Y, YAW_RATE
 from omniproof.registry import Modelled, Obligation, Relation
 from omniproof.transcription.model import Form
 

@@ -11,15 +11,8 @@ from matplotlib.figure import Figure
 from sympy import ImmutableMatrix, Rational, lambdify, sqrt
 
 from omniproof.kinematics.omni import twist_matrix
-from omniproof.papers.ballbot.laws import (
-    BALL_RADIUS,
-    ISOTROPIC,
-    PHI,
-    RUNNING_RADIUS,
-    at_rest,
-    gram,
-    rolling,
-)
+from omniproof.papers.ballbot.laws import BALL_RADIUS, ISOTROPIC, at_rest, gram, rolling
+from omniproof.papers.ballbot.symbols import PHI, RUNNING_RADIUS
 from omniproof.report.figure import Drawing, Floats, long_form, points, rows
 from omniproof.report.sketch import label, shown
 from omniproof.report.svg import ACCENT, INK, SMALL_SIZE, TYPE_COLORS, TYPE_DASHES, WIDTH, styled

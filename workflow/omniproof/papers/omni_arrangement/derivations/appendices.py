@@ -26,13 +26,7 @@ from omniproof.papers.omni_arrangement.derivations.evaluation import (
     volume_by_arcs,
 )
 from omniproof.papers.omni_arrangement.derivations.quantities import (
-    ANGLES,
-    RADIUS,
     REGISTRY,
-    SPEEDS,
-    THETA,
-    V_X,
-    V_Y,
     Platform,
     any_directions,
     cross_products,
@@ -48,6 +42,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     second_arc,
     third_arc,
 )
+from omniproof.papers.omni_arrangement.symbols import ANGLES, RADIUS, SPEEDS, THETA, V_X, V_Y
 from omniproof.registry import Convention, Family, Obligation, Relation
 from omniproof.transcription.model import Form
 

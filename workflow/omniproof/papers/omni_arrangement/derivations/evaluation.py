@@ -7,11 +7,7 @@ from sympy import Expr, ImmutableMatrix, Integer, Symbol, eye, pi, symbols
 from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import CORRECTED, isosceles
 from omniproof.papers.omni_arrangement.derivations.quantities import (
-    ANGLES,
-    RADIUS,
     REGISTRY,
-    SPEEDS,
-    THETA,
     any_directions,
     cross_products,
     free_vectors,
@@ -24,6 +20,7 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     sum_of_columns,
     volume_of_family,
 )
+from omniproof.papers.omni_arrangement.symbols import ANGLES, RADIUS, SPEEDS, THETA
 from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 

@@ -6,14 +6,7 @@ from sympy import Abs, Expr, ImmutableMatrix, Integer, Symbol, cos, sin
 
 from omniproof.kinematics import omni
 from omniproof.papers.omni_arrangement.derivations.quantities import (
-    ANGLE,
-    ANGLES,
-    RADIUS,
     REGISTRY,
-    V_X,
-    V_Y,
-    VELOCITY,
-    YAW_RATE,
     any_other_vector,
     any_vector,
     contact,
@@ -23,6 +16,15 @@ from omniproof.papers.omni_arrangement.derivations.quantities import (
     rotational_speed,
     speed,
     translational_speed,
+)
+from omniproof.papers.omni_arrangement.symbols import (
+    ANGLE,
+    ANGLES,
+    RADIUS,
+    V_X,
+    V_Y,
+    VELOCITY,
+    YAW_RATE,
 )
 from omniproof.registry import Obligation, Relation
 from omniproof.transcription.model import Form

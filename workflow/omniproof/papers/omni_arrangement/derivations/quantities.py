@@ -13,7 +13,6 @@ from sympy import (
     Abs,
     Expr,
     ImmutableMatrix,
-    Symbol,
     cancel,
     expand,
     eye,
@@ -26,17 +25,20 @@ from sympy import (
 
 from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import isosceles
+from omniproof.papers.omni_arrangement.symbols import (
+    ANGLE,
+    ANGLES,
+    RADIUS,
+    SYMBOLS,
+    THETA,
+    V_X,
+    V_Y,
+    VELOCITY,
+    YAW_RATE,
+)
 from omniproof.registry import Registry
 
-REGISTRY = Registry("omni-arrangement", ranges={})
-
-ANGLES = symbols("alpha_1:4", real=True)
-ANGLE = Symbol("alpha_k", real=True)
-THETA = Symbol("theta", real=True)
-RADIUS = Symbol("L", positive=True)
-VELOCITY = V_X, V_Y = symbols("V_x V_y", real=True)
-YAW_RATE = Symbol("phi_dot", real=True)
-SPEEDS = symbols("v_1:4", real=True)
+REGISTRY = Registry("omni-arrangement", symbols=SYMBOLS)
 
 
 @dataclass(frozen=True)
@@ -218,6 +220,7 @@ def any_other_vector() -> ImmutableMatrix:
     return free_vectors()[1]
 
 
+@cache
 def sum_of_columns() -> ImmutableMatrix:
     """Twist for three equal wheel speeds of 1 m/s: the sum of the columns of the inverse, 3 x 1."""
     return (any_directions().inverse * ones(3, 1)).applyfunc(cancel)

@@ -10,11 +10,11 @@ from omniproof.kinematics import omni, zonotope
 from omniproof.papers.omni_arrangement.arrangements import CORRECTED, PRINTED, isosceles
 from omniproof.papers.omni_arrangement.derivations.quantities import (
     REGISTRY,
-    THETA,
     image_area,
     image_volume,
     platform,
 )
+from omniproof.papers.omni_arrangement.symbols import THETA
 from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 

@@ -6,14 +6,12 @@ from sympy import Expr, Integer, Integral
 
 from omniproof.kinematics import omni, trajectory
 from omniproof.papers.omni_trajectory.derivations.quantities import (
-    BODY_RADIUS,
     CHANGING_SPEEDS,
-    FREE_ANGLES,
     REGISTRY,
-    TIME,
     matrix,
     twist,
 )
+from omniproof.papers.omni_trajectory.symbols import BODY_RADIUS, FREE_ANGLES, TIME
 
 
 @REGISTRY.derives("sec:1/degrees-of-freedom", "sec:2/three-speeds")

@@ -8,14 +8,8 @@ from sympy import Expr, ImmutableMatrix, Integer, Integral, trigsimp
 
 from omniproof.kinematics import omni, trajectory
 from omniproof.papers.omni_trajectory.derivations.quantities import (
-    BODY_RADIUS,
     CHANGING_SPEEDS,
-    FREE_ANGLES,
     REGISTRY,
-    SPEEDS,
-    TIME,
-    VELOCITY,
-    YAW_RATE,
     body_velocity,
     matrix,
     transformation,
@@ -23,6 +17,14 @@ from omniproof.papers.omni_trajectory.derivations.quantities import (
     world_velocity,
 )
 from omniproof.papers.omni_trajectory.setup import ANGLES
+from omniproof.papers.omni_trajectory.symbols import (
+    BODY_RADIUS,
+    FREE_ANGLES,
+    SPEEDS,
+    TIME,
+    VELOCITY,
+    YAW_RATE,
+)
 
 
 @REGISTRY.derives("eq:1")

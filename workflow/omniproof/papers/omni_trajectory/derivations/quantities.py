@@ -15,28 +15,27 @@ from sympy import (
     ImmutableMatrix,
     Integer,
     Integral,
-    Symbol,
     pi,
     sqrt,
-    symbols,
 )
 
 from omniproof.kinematics import omni, trajectory
 from omniproof.papers.omni_trajectory.setup import ANGLES
+from omniproof.papers.omni_trajectory.symbols import (
+    BODY_RADIUS,
+    CONSTANT_SPEEDS,
+    DURATION,
+    HEADING,
+    SPEEDS,
+    SYMBOLS,
+    TIME,
+    VELOCITY,
+    WHEEL_RADIUS,
+    YAW_RATE,
+)
 from omniproof.registry import Registry
 
-REGISTRY = Registry("omni-trajectory", ranges={})
-
-FREE_ANGLES = symbols("alpha_1:4", real=True)
-BODY_RADIUS = Symbol("L", positive=True)
-WHEEL_RADIUS = Symbol("r", positive=True)
-SPEEDS = symbols("v_1:4", real=True)
-CONSTANT_SPEEDS = symbols("a b c", real=True)
-HEADING = Symbol("phi", real=True)
-YAW_RATE = Symbol("phi_dot", real=True)
-VELOCITY = symbols("X_m Y_m", real=True)
-TIME = Symbol("t", real=True)
-DURATION = Symbol("T", positive=True)
+REGISTRY = Registry("omni-trajectory", symbols=SYMBOLS)
 
 
 def function_of_time(name: str) -> Expr:

@@ -12,12 +12,9 @@ from functools import cache
 from sympy import Abs, Expr, ImmutableMatrix, Integer, Rational, Symbol, cos, pi, sin
 
 from omniproof.kinematics import trajectory
-from omniproof.papers.omni_trajectory.derivations.quantities import (
-    BODY_RADIUS,
-    REGISTRY,
-    matrix,
-)
+from omniproof.papers.omni_trajectory.derivations.quantities import REGISTRY, matrix
 from omniproof.papers.omni_trajectory.setup import CIRCLES, LINES, ROLLER_RADIUS, Case, twist
+from omniproof.papers.omni_trajectory.symbols import BODY_RADIUS
 from omniproof.registry import Fit, Relation
 
 SPEED = Symbol("V", real=True)

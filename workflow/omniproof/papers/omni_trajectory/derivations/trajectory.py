@@ -6,10 +6,7 @@ from sympy import Expr, ImmutableMatrix, Integer, Symbol, cancel, cos, pi, sin
 
 from omniproof.kinematics import trajectory
 from omniproof.papers.omni_trajectory.derivations.quantities import (
-    BODY_RADIUS,
-    CONSTANT_SPEEDS,
     REGISTRY,
-    TIME,
     body_velocity,
     constant_twist,
     mean_relative_distance,
@@ -19,6 +16,7 @@ from omniproof.papers.omni_trajectory.derivations.quantities import (
     plane_velocity,
     world_velocity,
 )
+from omniproof.papers.omni_trajectory.symbols import BODY_RADIUS, CONSTANT_SPEEDS, TIME
 from omniproof.registry import Curve, Family, Obligation, Relation
 from omniproof.transcription.model import Form
 

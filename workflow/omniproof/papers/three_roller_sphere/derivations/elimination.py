@@ -14,7 +14,7 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Poly, cancel, diff, hessian
 
 from omniproof.papers.three_roller_sphere.derivations.quantities import COEFFICIENTS, REGISTRY
-from omniproof.papers.three_roller_sphere.rollers import POINT
+from omniproof.papers.three_roller_sphere.symbols import POINT
 
 X, Y, Z = POINT
 MONOMIALS = {1: X**2, 2: Y**2, 3: Z**2, 4: X * Y, 5: Y * Z, 6: X * Z, 7: X, 8: Y, 9: Z, 10: X**0}

@@ -9,7 +9,8 @@ from omniproof.papers.three_roller_sphere.derivations.quantities import (
     REGISTRY,
     squared_distance,
 )
-from omniproof.papers.three_roller_sphere.rollers import POINT, RADIUS, ROLLERS, Roller
+from omniproof.papers.three_roller_sphere.rollers import ROLLERS, Roller
+from omniproof.papers.three_roller_sphere.symbols import POINT, RADIUS
 from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 

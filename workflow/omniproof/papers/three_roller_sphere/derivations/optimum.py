@@ -20,7 +20,8 @@ from omniproof.papers.three_roller_sphere.derivations.quantities import (
     ROLLER,
     sum_at,
 )
-from omniproof.papers.three_roller_sphere.rollers import POINT, RADIUS, ROLLERS, Roller
+from omniproof.papers.three_roller_sphere.rollers import ROLLERS, Roller
+from omniproof.papers.three_roller_sphere.symbols import POINT, RADIUS
 from omniproof.registry import Obligation, Relation
 from omniproof.transcription.model import Form
 

@@ -15,7 +15,7 @@ from omniproof.papers.three_roller_sphere.derivations.quantities import (
     velocity_of_roller,
     velocity_of_sphere,
 )
-from omniproof.papers.three_roller_sphere.rollers import POINT, RADIUS
+from omniproof.papers.three_roller_sphere.symbols import POINT, RADIUS
 from omniproof.registry import Obligation, Relation
 from omniproof.transcription.model import Form
 

@@ -11,22 +11,13 @@ from functools import cache
 from sympy import Expr, ImmutableMatrix, Integer, Symbol, sqrt, zeros
 
 from omniproof.kinematics import rolling, sphere
-from omniproof.papers.three_roller_sphere.rollers import (
-    POINT,
-    RADIUS,
-    ROLLERS,
-    Roller,
-    any_roller,
-    optimum,
-)
+from omniproof.papers.three_roller_sphere.rollers import ROLLERS, Roller, optimum
+from omniproof.papers.three_roller_sphere.symbols import ALONG, ANY_ROLLER, POINT, RADIUS, SYMBOLS
 from omniproof.registry import Registry
 
-REGISTRY = Registry("three-roller-sphere", ranges={})
-ROLLER = any_roller("i")
+REGISTRY = Registry("three-roller-sphere", symbols=SYMBOLS)
+ROLLER = Roller(*ANY_ROLLER)
 ROLLER_RADIUS = Symbol("rho", positive=True)
-ALONG = Symbol("t", real=True)
-"""Place of a spin on the line of a roller (rad/s)."""
-
 COEFFICIENTS = {k: Symbol(f"C_{k}", real=True) for k in range(1, 11)}
 """Free coefficients of a quadratic form in three variables, in the paper's order."""
 

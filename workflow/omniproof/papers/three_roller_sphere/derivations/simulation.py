@@ -17,7 +17,6 @@ from omniproof.papers.three_roller_sphere.rollers import (
     ELEVATION,
     ELEVATIONS,
     LEVEL,
-    PHI,
     ROLLERS,
     Roller,
     input_speed,
@@ -25,6 +24,7 @@ from omniproof.papers.three_roller_sphere.rollers import (
     pattern_slips,
     pattern_spin,
 )
+from omniproof.papers.three_roller_sphere.symbols import PHI
 from omniproof.registry import Curve, Obligation, Relation
 from omniproof.transcription.model import Form
 

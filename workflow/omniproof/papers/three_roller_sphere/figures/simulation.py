@@ -10,13 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from sympy import Integer, MatrixBase, lambdify
 
-from omniproof.papers.three_roller_sphere.rollers import (
-    ELEVATIONS,
-    PHI,
-    RADIUS,
-    pattern_slips,
-    pattern_spin,
-)
+from omniproof.papers.three_roller_sphere.rollers import ELEVATIONS, pattern_slips, pattern_spin
+from omniproof.papers.three_roller_sphere.symbols import PHI, RADIUS
 from omniproof.report.figure import Drawing, Floats, Row, long_form, points, rows
 from omniproof.report.sketch import REDRAWN, shown
 from omniproof.report.svg import INK, TYPE_COLORS, WIDTH, styled

@@ -9,10 +9,9 @@ from typing import Any
 from sympy import Expr, ImmutableMatrix, Integer, Symbol, acos, cos, linsolve, pi, symbols
 
 from omniproof.kinematics import sphere
-from omniproof.papers.two_roller_sphere.arrangement import POLE, RADIUS, tidied
+from omniproof.papers.two_roller_sphere.arrangement import POLE, tidied
 from omniproof.papers.two_roller_sphere.derivations.quantities import (
     ANY_SPIN,
-    BETWEEN,
     FIRST,
     PAIR,
     REGISTRY,
@@ -27,13 +26,12 @@ from omniproof.papers.two_roller_sphere.derivations.quantities import (
     vanishing,
 )
 from omniproof.papers.two_roller_sphere.derivations.rollers import feet, part_in_plane
+from omniproof.papers.two_roller_sphere.symbols import ALONG, BETWEEN, DISTANCES, LEAST, RADIUS
 from omniproof.registry import Family, Obligation, Relation
 from omniproof.transcription.model import Form
 
-SUM = Symbol("k", real=True)
-LEAST = Symbol("k_0", positive=True)
-DISTANCES = symbols("d_1 d_2", positive=True)
-"""Sum of both distances, its least value, and the distances (rad/s)."""
+SUM = ALONG
+"""Sum of both distances (rad/s): the paper has one letter for it and the place on a line."""
 
 
 def squared_distances(point: ImmutableMatrix) -> tuple[Expr, ...]:

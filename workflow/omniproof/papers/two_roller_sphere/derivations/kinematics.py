@@ -21,15 +21,9 @@ from sympy import (
 )
 
 from omniproof.kinematics import frames
-from omniproof.papers.two_roller_sphere.arrangement import (
-    POLE,
-    RADIUS,
-    SPEED,
-    travelling,
-)
+from omniproof.papers.two_roller_sphere.arrangement import POLE, SPEED, travelling
 from omniproof.papers.two_roller_sphere.derivations.quantities import (
     ANY_SPIN,
-    BETWEEN,
     FIRST,
     REGISTRY,
     ROLLER,
@@ -45,6 +39,7 @@ from omniproof.papers.two_roller_sphere.derivations.quantities import (
     vanishing,
     world_spin,
 )
+from omniproof.papers.two_roller_sphere.symbols import BETWEEN, RADIUS
 from omniproof.papers.two_roller_sphere.symmetric import (
     ANGLE,
     ANGLES,

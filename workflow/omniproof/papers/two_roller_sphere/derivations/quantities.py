@@ -11,21 +11,29 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cache
 from typing import Any, TypeAlias
 
-from sympy import Expr, ImmutableMatrix, Integer, Symbol, acos, linsolve, pi, symbols, tan
+from sympy import Expr, ImmutableMatrix, Integer, acos, linsolve, symbols, tan
 
 from omniproof.kinematics import sphere
 from omniproof.papers.two_roller_sphere.arrangement import (
     POLE,
-    RADIUS,
     SPEED,
     Roller,
     spin_of,
     tidied,
     travelling,
 )
+from omniproof.papers.two_roller_sphere.symbols import (
+    ALONG,
+    ANGLES,
+    AXIS_ANGLE,
+    BETWEEN,
+    RADIUS,
+    RIM_SPEEDS,
+    SYMBOLS,
+)
 from omniproof.registry import Registry
 
-REGISTRY = Registry("two-roller-sphere")
+REGISTRY = Registry("two-roller-sphere", symbols=SYMBOLS)
 Vanishing: TypeAlias = tuple[Expr, ...]
 
 
@@ -34,29 +42,17 @@ def vanishing(entries: Iterable[Expr]) -> Vanishing:
     return (Integer(0), *entries)
 
 
-def _symbol(name: str) -> Symbol:
-    return Symbol(name, real=True)
-
-
-BETWEEN = _symbol("delta")
-"""Angle from contact 1 to contact 2 (rad)."""
-
-ROLLER = Roller(Integer(0), _symbol("alpha_i"), _symbol("nu_i"))
-OTHER = Roller(_symbol("gamma"), _symbol("alpha_j"), _symbol("nu_j"))
-FIRST = Roller(Integer(0), _symbol("alpha_1"), _symbol("nu_1"))
-SECOND = Roller(BETWEEN, _symbol("alpha_2"), _symbol("nu_2"))
+ROLLER, FIRST, SECOND = (
+    Roller(azimuth, angle, speed)
+    for azimuth, angle, speed in zip(
+        (Integer(0), Integer(0), BETWEEN), ANGLES, RIM_SPEEDS, strict=True
+    )
+)
+OTHER = Roller(*symbols("gamma alpha_j nu_j", real=True))
 PAIR = (FIRST, SECOND)
 
 ANY_SPIN = ImmutableMatrix(symbols("w_1:4", real=True))
 """Any spin, rad/s."""
-
-ALONG = _symbol("k")
-"""Place on a constraint line, rad/(m s): multiple of the contact."""
-
-AXIS_ANGLE = _symbol("rho")
-"""Angle of the sphere's axis against the ground, rad."""
-
-REGISTRY.ranges = {BETWEEN: (Integer(0), pi), AXIS_ANGLE: (-pi / 2, pi / 2)}
 
 
 @cache

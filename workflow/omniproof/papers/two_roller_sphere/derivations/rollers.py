@@ -5,9 +5,8 @@ from __future__ import annotations
 from sympy import Expr, ImmutableMatrix, Integer, Symbol, linsolve, pi, sin, symbols
 
 from omniproof.kinematics import frames, sphere
-from omniproof.papers.two_roller_sphere.arrangement import POLE, RADIUS, tidied
+from omniproof.papers.two_roller_sphere.arrangement import POLE, tidied
 from omniproof.papers.two_roller_sphere.derivations.quantities import (
-    ALONG,
     ANY_SPIN,
     FIRST,
     OTHER,
@@ -27,6 +26,7 @@ from omniproof.papers.two_roller_sphere.derivations.quantities import (
     spin_of_pair,
     vanishing,
 )
+from omniproof.papers.two_roller_sphere.symbols import ALONG, PLACE, RADIUS
 from omniproof.registry import Curve, Family, Obligation, Relation
 from omniproof.transcription.model import Form
 
@@ -301,7 +301,7 @@ def spin_by_speeds() -> ImmutableMatrix:
 
 def raised_and_turned() -> ImmutableMatrix:
     """Point on the x-axis, raised by an elevation and turned by an azimuth: 3x1, in m."""
-    azimuth, elevation = symbols("theta_1i theta_2i", real=True)
+    azimuth, elevation = PLACE
     turned = frames.rotation("z", azimuth) * frames.rotation("y", -elevation)
     return ImmutableMatrix(RADIUS * frames.axes(turned)[:, 0])
 

@@ -16,12 +16,13 @@ from sympy import (
     rad,
 )
 
-from omniproof.papers.two_roller_sphere.arrangement import DIRECTION, RADIUS, SPEED
+from omniproof.papers.two_roller_sphere.arrangement import SPEED
 from omniproof.papers.two_roller_sphere.derivations.quantities import (
     REGISTRY,
     Vanishing,
     vanishing,
 )
+from omniproof.papers.two_roller_sphere.symbols import DIRECTION, RADIUS
 from omniproof.papers.two_roller_sphere.symmetric import (
     ANGLE,
     ANGLES,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from sympy import Expr, ImmutableMatrix
 
-from omniproof.papers.two_roller_sphere.arrangement import POLE, RADIUS
+from omniproof.papers.two_roller_sphere.arrangement import POLE
 from omniproof.papers.two_roller_sphere.derivations.quantities import (
     ANY_SPIN,
     OTHER,
@@ -17,6 +17,7 @@ from omniproof.papers.two_roller_sphere.derivations.quantities import (
     spin,
     vanishing,
 )
+from omniproof.papers.two_roller_sphere.symbols import RADIUS
 
 
 @REGISTRY.derives("eq:23", "eq:25", meanings=any_spin)

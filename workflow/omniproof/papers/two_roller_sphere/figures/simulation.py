@@ -12,7 +12,7 @@ from matplotlib.lines import Line2D
 from sympy import Expr, atan, lambdify
 
 from omniproof.papers.two_roller_sphere import closed_forms
-from omniproof.papers.two_roller_sphere.arrangement import DIRECTION
+from omniproof.papers.two_roller_sphere.symbols import DIRECTION
 from omniproof.papers.two_roller_sphere.symmetric import ANGLES, in_simulation
 from omniproof.report.figure import Drawing, Floats, Row, long_form, points, rows
 from omniproof.report.sketch import MUTED, REDRAWN, Style, View, arrow, label, line, shown
