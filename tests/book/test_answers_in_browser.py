@@ -115,3 +115,12 @@ def test_a_derivation_leads_back_to_its_chapter(context: BrowserContext, built: 
     assert page.locator("a:not([href]), a:empty").count() == 0
     page.get_by_role("link", name="omni-arrangement").click()
     assert re.search(r"omni-arrangement\.html$", page.url)
+
+
+@pytest.mark.parametrize(
+    "paper", [path.parent.name for path in Path("paper_data").glob("*/*.yaml")]
+)
+def test_what_sympy_shows_is_set(context: BrowserContext, built: Path, paper: str) -> None:
+    page = opened(context, built, f"{paper}.html")
+    shown = page.locator(".output.text_latex")
+    assert shown.count() == page.locator(".output.text_latex math").count() > 3
