@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from omniproof import cli
-from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.answer import DisagreementError
 
 KEYS = ["verdict", "printed", "witness", "condition", "repair", "engines", "message"]
 COMMAND = [sys.executable, "-m", "omniproof.cli", "check"]

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from omniproof.audit.check import CheckResult, Finding, check
 from omniproof.audit.setting import Assumptions
-from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.answer import DisagreementError
 
 NONE = Assumptions()
 ROTATION = r"\begin{pmatrix}\cos a & -\sin a \\ \sin a & \cos a\end{pmatrix}"

@@ -11,9 +11,8 @@ from hypothesis import strategies as st
 from omniproof.audit import confirm_decimals, decimals, enclosure
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import Rounding, format_fraction
-from omniproof.audit.zero_test import DisagreementError
 from omniproof.decide import balls
-from omniproof.decide.answer import Undecided
+from omniproof.decide.answer import DisagreementError, Undecided
 from omniproof.decide.prime_fields.zero import NonZero
 
 pi, sqrt, cos, sin = sp.pi, sp.sqrt, sp.cos, sp.sin

@@ -14,8 +14,15 @@ from omniproof.audit.confirm_order import confirmed_order, region_of
 from omniproof.audit.positivity import Positive
 from omniproof.audit.relations import judge
 from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.zero_test import DisagreementError
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.answer import (
+    Answer,
+    DisagreementError,
+    OnBranch,
+    Proved,
+    Refuted,
+    Undecided,
+    Witness,
+)
 from omniproof.decide.z3 import order
 from omniproof.decide.z3.translation import Translation
 from omniproof.formula.sympy_terms import term_of

@@ -15,11 +15,10 @@ from omniproof.audit import check as checking
 from omniproof.audit import comparison, confirm_decimals, identities, judge, run
 from omniproof.audit.check import Finding, check
 from omniproof.audit.decimals import Rounding
-from omniproof.audit.digits import UndefinedError, value
 from omniproof.audit.readings import load_readings
 from omniproof.audit.setting import Assumptions
-from omniproof.audit.zero_test import DisagreementError
-from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.answer import DisagreementError, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.digits import UndefinedError, value
 from omniproof.registry import Relation, load_registry
 from omniproof.transcription.reader import read
 
@@ -70,7 +69,7 @@ def test_a_broken_engine_is_stopped_with_both_shown(
 def test_a_broken_engine_stops_an_audit(
     monkeypatch: pytest.MonkeyPatch, tiny_folder: Path, answer: Any
 ) -> None:
-    monkeypatch.setattr(identities, "confirmed_equal", lambda *_, **__: answer)
+    monkeypatch.setattr(identities, "equal_to_derived", lambda *_, **__: answer)
     with pytest.raises(DisagreementError, match="direct evaluation contradicts broken"):
         run.audit_paper(tiny_folder)
 

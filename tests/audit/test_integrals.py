@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.counterexample import counterexample
 from omniproof.audit.integrals import flattened, without_integrals
 from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 

@@ -8,10 +8,12 @@ import pytest
 import sympy as sp
 from mpmath import mp
 
-from omniproof.audit import digits, mutation
+from omniproof.audit import mutation
 from omniproof.audit.mutants import KINDS, Spelled, mutants
 from omniproof.audit.mutation import FLAGGED, Fate, originals, study
 from omniproof.audit.run import prepare_to_judge
+from omniproof.audit.sympy_digits import known_value
+from omniproof.decide import digits
 from omniproof.decide.answer import Proved, Refuted
 from omniproof.formula.evaluation import evaluate
 from omniproof.repair.kinds import Edit, Repair
@@ -109,12 +111,10 @@ DIVERSE = [
 
 @pytest.mark.parametrize("text", DIVERSE)
 def test_digits_are_those_of_the_expression(text):
-    point = {sp.Symbol("theta"): sp.Rational(5, 7), sp.Symbol("L"): sp.Rational(9, 4)}
+    point = {"theta": sp.Rational(5, 7), "L": sp.Rational(9, 4)}
     meanings = {r"\theta": sp.Symbol("theta"), "L": sp.Symbol("L")}
-    own = digits.value(
-        tree_of(text), lambda symbol, _: digits.known_value(meanings[symbol.name], point)
-    )
-    known = digits.known_value(evaluate(tree_of(text), meanings, text), point)
+    own = digits.value(tree_of(text), lambda symbol, _: known_value(meanings[symbol.name], point))
+    known = known_value(evaluate(tree_of(text), meanings, text), point)
     assert digits.are_equal(own, known)
     with mp.workdps(digits.DIGITS):
         assert not digits.are_equal(own * (1 + mp.mpf(10) ** -35), known)
@@ -128,9 +128,9 @@ def over_time(text):
     """Give the digits of a text where `v` is a function of the time `t` that nobody knows."""
 
     def meaning(symbol, bound):
-        point = {TIME: bound.get("t", mp.mpf(3) / 2)}
+        point = {"t": bound.get("t", mp.mpf(3) / 2)}
         known = {"v": SPEED(TIME), "t": TIME, "w": sp.Integral(SPEED(TIME), (TIME, 0, TIME))}
-        return digits.known_value(known[symbol.name], point, seed=1)
+        return known_value(known[symbol.name], point, seed=1)
 
     return digits.value(read(text, Notation(), ("v", "t", "w")), meaning)
 
@@ -157,7 +157,7 @@ def test_unknown_functions_and_their_integrals_differ():
 
 def test_an_unknown_function_is_a_quadratic_with_positive_coefficients():
     places = [sp.Rational(k, 10) for k in range(-30, 31)]
-    known = [digits.known_value(SPEED(TIME), {TIME: place}) for place in places]
+    known = [known_value(SPEED(TIME), {TIME.name: place}) for place in places]
     assert min(known[30:]) > 0
     with mp.workdps(digits.DIGITS):
         steps = [after - before for before, after in itertools.pairwise(known)]

@@ -6,6 +6,8 @@ import pytest
 import sympy as sp
 
 from omniproof.audit.setting import Assumptions, settle
+from omniproof.audit.sympy_domain import in_sympy
+from omniproof.formula.sympy_terms import Converter
 from omniproof.transcription.tokens import LatexError
 
 
@@ -51,16 +53,16 @@ def test_two_symbols_never_share_a_spelling():
 )
 def test_ranges(assumptions, interval):
     found = setting("x = y", assumptions)
-    assert found.domain.intervals == {"x": interval}
+    assert in_sympy(found.domain, Converter()).intervals == {"x": interval}
     assert found.meanings["x"].is_positive is (True if interval[0] >= 0 else None)
     assert found.meanings["y"].is_positive is None
 
 
 FAULTS = [
-    pytest.param("c(x) = 1", Assumptions(functions={"c": "cosh"}), [
-        "the function `cosh` is not read",
-        "    c=cosh",
-        "    ~~~~~^",
+    pytest.param("c(x) = 1", Assumptions(functions={"c": "gamma"}), [
+        "the function `gamma` is not read",
+        "    c=gamma",
+        "    ~~~~~~^",
         "    did you mean `c=cos`?"], id="unknown function"),
     pytest.param(r"\alpha_1 = 0", Assumptions(positive=(r"\alpha_2",)), [
         r"the formula has no symbol `\alpha_2`",
@@ -97,10 +99,15 @@ FAULTS = [
         "    ~~~~~^",
         "    write `0 < x < 1`"], id="product in a range"),
     pytest.param("x = 1", Assumptions(between=(r"x > \sqrt{-1}",)), [
-        "expected a number as the end of a range: it contains the imaginary unit",
+        "expected a number as the end of a range: it is not a finite real number",
         r"    x > \sqrt{-1}",
         "    ~~~~~~~~~~~~^",
         "    write `0 < x < 1`"], id="imaginary end"),
+    pytest.param("x = 1", Assumptions(between=("x > (1, 2)",)), [
+        "expected a number as the end of a range, found a vector of 2",
+        "    x > (1, 2)",
+        "    ~~~~~~~~~^",
+        "    write `0 < x < 1`"], id="a vector as an end"),
 ]  # fmt: skip
 
 

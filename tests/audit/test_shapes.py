@@ -7,10 +7,9 @@ from typing import Any
 import pytest
 from sympy import Abs, Integer, Rational, cos, oo, pi, sin, sqrt, symbols, tan
 
-from omniproof.audit import zero_test
 from omniproof.audit.relations import judge
-from omniproof.audit.zero_test import DisagreementError
-from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided
+from omniproof.decide import zero_test
+from omniproof.decide.answer import DisagreementError, OnBranch, Proved, Refuted, Undecided
 from omniproof.registry import Curve, Family, Obligation, Ordered
 from omniproof.transcription.model import Form
 

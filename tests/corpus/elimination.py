@@ -17,9 +17,10 @@ import sympy as sp
 from questions import ask
 
 from corpus import load
-from omniproof.audit.zero_test import decide_equal
+from omniproof.audit.sympy_equality import decide_equal
+from omniproof.decide import zero_test
 from omniproof.decide.answer import Answer, Proved
-from omniproof.formula.sympy_terms import Converter, term_of
+from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, substitute
 from omniproof.transcription.symbols import symbol_name
 
@@ -107,14 +108,8 @@ def answers() -> dict[str, Callable[[], list[Answer]]]:
     lemmas, equations = staged(), direct()
     return {
         "staged": lambda: [decide_equal(left, right) for left, right in lemmas],
-        "direct": lambda: [decide_terms(left, right) for left, right in equations],
+        "direct": lambda: [zero_test.decide_equal(left, right) for left, right in equations],
     }
-
-
-def decide_terms(left: Term, right: Term) -> Answer:
-    """Decide an equation between terms."""
-    to_sympy = Converter().expression
-    return decide_equal(to_sympy(left), to_sympy(right), terms=(left, right))
 
 
 def elimination_times() -> dict[str, dict[str, str | float]]:

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from mpmath import mp
 
-from omniproof.audit import digits
+from omniproof.decide import digits
 from omniproof.transcription import tree
 from omniproof.transcription.reader import read
 

@@ -15,9 +15,8 @@ import sympy as sp
 
 from corpus import Record
 from omniproof.audit.comparison import compare
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.zero_test import decide_equal
+from omniproof.audit.sympy_equality import confirmed_equal, decide_equal
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.reader import read

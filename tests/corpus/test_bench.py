@@ -16,7 +16,7 @@ from questions import Question
 from rivals import CAN_OWN, EASY, SYSTEMS, Timed, timed
 
 from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.zero_test import decide_equal
+from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide.answer import Proved, Refuted
 from omniproof.formula.term import Symbol, add
 

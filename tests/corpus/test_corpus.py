@@ -7,8 +7,8 @@ from questions import ask, decision, verdict
 from test_truth import points
 
 from corpus import Record, load
-from omniproof.audit.digits import DIGITS
 from omniproof.decide.answer import OnBranch
+from omniproof.decide.digits import DIGITS
 
 RECORDS = [pytest.param(record, id=record.id) for record in load()]
 BRANCHES = [pytest.param(r, id=r.id) for r in load() if r.expected == "branch"]

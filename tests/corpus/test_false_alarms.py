@@ -7,7 +7,7 @@ import pytest
 from questions import ask, decision
 
 from corpus import load
-from omniproof.audit.confirm import confirmed_equal
+from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import OnBranch, Refuted
 
 

@@ -12,7 +12,7 @@ from mpmath import mp, mpf
 from numerics import holds, parsed, value, with_definitions
 
 from corpus import Record, load
-from omniproof.audit.digits import DIGITS, UndefinedError
+from omniproof.decide.digits import DIGITS, UndefinedError
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tree import Chain, names
 

@@ -14,7 +14,7 @@ from generated_trees import POINT, TREES
 from hypothesis import assume, given, settings
 from mpmath import mp
 
-from omniproof.audit import digits
+from omniproof.decide import digits
 from omniproof.formula import writers
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import Grid

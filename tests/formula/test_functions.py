@@ -12,10 +12,10 @@ import pytest
 import sympy as sp
 from mpmath import mp
 
-from omniproof.audit import counterexample, digits, enclosure
+from omniproof.audit import counterexample, enclosure
 from omniproof.audit.check import Finding, check
-from omniproof.audit.digits import known_value
-from omniproof.decide import balls
+from omniproof.audit.sympy_digits import known_value
+from omniproof.decide import balls, digits
 from omniproof.decide.balls import compile_balls, enclose, rational_ball
 from omniproof.decide.normal_form import survey
 from omniproof.decide.prime_fields import parts
@@ -49,7 +49,7 @@ ENGINES: dict[str, tuple[Collection[str], Mapping[str, str]]] = {
     ),
     "decide.prime_fields": (CIRCULAR | ANGLES | parts.SIGNED, parts.LACKING | DEFINED),
     "decide.z3": (CIRCULAR | ANGLES | {"sqrt", "abs", "power"}, translation.LACKING | DEFINED),
-    "audit.digits": (digits.FUNCTIONS, {}),
+    "decide.digits": (digits.FUNCTIONS, {}),
     "repair.values": (values.FUNCTIONS, {}),
     "audit.enclosure": (enclosure.FUNCTIONS, {}),
     "audit.counterexample": (counterexample.FUNCTIONS, counterexample.LACKING),
@@ -92,7 +92,7 @@ def test_a_row_says_all_or_why_not(row: Row) -> None:
 def exact(term: Term, **places: Fraction) -> Any:
     """Evaluate a term to 60 digits, by mpmath alone."""
     known = Converter().expression(term)
-    return known_value(known, {sp.Symbol(n, real=True): sp.Rational(x) for n, x in places.items()})
+    return known_value(known, {name: sp.Rational(x) for name, x in places.items()})
 
 
 @pytest.mark.parametrize("row", ROWS)

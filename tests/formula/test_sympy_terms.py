@@ -12,7 +12,7 @@ from omniproof.formula.term import Call, Power, Symbol, number, root
 
 x, y = sp.symbols("x y", real=True)
 r = sp.Symbol("r", positive=True)
-speed = sp.Function("omega")
+speed = sp.Function("omega", real=True)
 
 LEAVES = [x, y, r, x / 2, r - sp.pi, 2 * y, sp.Rational(-3, 7) * r]
 FUNCTIONS = [sp.sin, sp.cos, sp.tan, sp.atan, sp.Abs, sp.sign, speed]
@@ -53,7 +53,7 @@ def test_what_a_term_is(expression: sp.Expr, term: object) -> None:
 
 
 @pytest.mark.parametrize(
-    "expression", [sp.Float(0.5) * x, sp.I * x, x / 0, sp.oo, sp.Dummy() + sp.nan]
+    "expression", [sp.Float(0.5) * x, sp.I * x, x / 0, sp.oo, sp.Dummy() + sp.nan, sp.gamma(x)]
 )
 def test_what_is_no_exact_real_number_is_refused(expression: sp.Expr) -> None:
     with pytest.raises(UnsupportedError):

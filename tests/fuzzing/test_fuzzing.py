@@ -22,9 +22,9 @@ from hypothesis import strategies as st
 from mpmath import mp
 from sympy import Symbol
 
-from omniproof.audit import digits
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.mutants import Spelled, mutants
+from omniproof.audit.sympy_equality import confirmed_equal
+from omniproof.decide import digits
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate

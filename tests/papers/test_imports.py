@@ -89,7 +89,7 @@ def test_what_a_derivation_imports_from_its_paper_reads_nothing_either() -> None
         pytest.param("from omniproof.transcription.model import Form", True, id="the form"),
         pytest.param("from omniproof.transcription.model import Claim", False, id="a claim"),
         pytest.param("from omniproof.transcription import loader", False, id="the paper file"),
-        pytest.param("from omniproof.audit.zero_test import decide", False, id="an engine"),
+        pytest.param("from omniproof.decide.zero_test import decide_equal", False, id="an engine"),
         pytest.param("import yaml", False, id="a reader"),
         pytest.param("from pathlib import Path", False, id="files"),
     ],

@@ -5,7 +5,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.zero_test import decide_equal
+from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide.answer import Proved
 from omniproof.formula.evaluation import evaluate
 from omniproof.repair.edits import edits

@@ -199,7 +199,7 @@ _SIMULATE_EXAMPLE = """Such as: omniproof simulate omni-robot circle-left-flying
 def _check(options: argparse.Namespace) -> Said:
     import json
 
-    # Before the clock starts: SymPy takes half a second, whatever the formula is.
+    # Before the clock starts: what every formula takes.
     from omniproof.audit.check import CheckResult, Finding, check
     from omniproof.audit.setting import Assumptions
     from omniproof.limited import LimitError, limited

@@ -1,8 +1,8 @@
 r"""One statement, judged: what `omniproof check` answers.
 
-Nothing here knows of a paper, a registry or pydantic: a formula is judged in the time that SymPy
-takes to be imported; what only some formulas need is imported when it is needed. The text is read
-by our own reader and never evaluated as code.
+Nothing here knows of a paper, a registry or pydantic, and an equation needs no SymPy: what only
+some formulas need is imported when it is needed. The text is read by our own reader and never
+evaluated as code.
 """
 
 from __future__ import annotations
@@ -12,18 +12,16 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cache, partial
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any, assert_never
+from typing import TYPE_CHECKING, assert_never
 
-from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.definedness import conditions, lost_conditions
 from omniproof.audit.definitions import Definitions, definitions
-from omniproof.audit.direct import heard_on
 from omniproof.audit.setting import Assumptions, Setting, settle
-from omniproof.audit.statement import Link, links
 from omniproof.audit.unclear import refuse_if_false, refuse_mixed_differences, refuse_unclear
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.confirm import confirmed_equal
+from omniproof.decide.direct import heard_on
+from omniproof.decide.statement import Link, links
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.evaluation import evaluate
 from omniproof.formula.unfold import unfold
 from omniproof.formula.writers import latex
 from omniproof.transcription import tree
@@ -148,10 +146,8 @@ def _decided(
         message = f"a definition of {defined}: nothing to prove"
         return CheckResult(Finding.DEFINITION, printed, message=message)
     refuse_unclear(found.rest, printed, assumptions.functions)
-    value = partial(evaluate, meanings=setting.meanings, source=printed)
-    unfolded = cache(partial(unfold, meanings=setting.letters, source=printed))
-    steps = links(found.rest, value, printed, unfolded)
-    setting = _where_defined(found.rest, value, setting, steps)
+    value = cache(partial(unfold, meanings=setting.letters, source=printed))
+    steps = links(found.rest, value, printed)
     result = _result(printed, steps, [_decide(step, setting, enough) for step in steps])
     if result.verdict is Finding.ERRATUM and found.sought:
         sought = ", ".join(f"`{latex(symbol)}`" for symbol in found.sought)
@@ -210,22 +206,6 @@ def _short_functions(node: tree.Node) -> dict[str, str]:
     return {letter: name for letter, name in SHORT.items() if letter in found}
 
 
-def _where_defined(
-    node: tree.Node, value: Callable[[tree.Node], Any], setting: Setting, parts: Sequence[Link]
-) -> Setting:
-    """Keep to where a formula is defined: an equation by what its values have forgotten of that.
-
-    An order may fail at a single point, so that each has to be told from those of the domain.
-    """
-    is_equation = all(part.operator == "=" for part in parts)
-    needed = (lost_conditions if is_equation else conditions)(node, value)
-    if not needed:
-        return setting
-    from omniproof.audit.hypotheses import domain_of
-
-    return replace(setting, domain=domain_of(needed, setting.domain))
-
-
 def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> CheckResult:
     """Add the repairs of a false statement; the further ones are named in the message."""
     refuse_if_false(node, result.printed)
@@ -257,14 +237,14 @@ def _mended(result: CheckResult, node: tree.Node, assumptions: Assumptions) -> C
 
 
 def _decide(part: Link, setting: Setting, enough: int | None) -> Answer:
+    """Decide one link, and hear direct evaluation about it."""
     if part.operator == "=":
-        sides = part.left, part.right
-        answer = confirmed_equal(*sides, setting.domain, enough=enough, terms=part.terms)
+        answer = confirmed_equal(part.left, part.right, setting.domain, enough=enough)
     else:
-        from omniproof.audit.comparison import compare
+        from omniproof.audit.order import compare
 
-        answer = compare(part.left, part.operator, part.right, setting.domain, part.terms)
-    return heard_on(answer, part, setting)
+        answer = compare(part.left, part.operator, part.right, setting.domain)
+    return heard_on(answer, part, setting.names, setting.domain)
 
 
 def _result(printed: str, steps: Sequence[Link], answers: Sequence[Answer]) -> CheckResult:

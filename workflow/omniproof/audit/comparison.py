@@ -20,16 +20,15 @@ from sympy.core.relational import Relational
 
 from omniproof.audit.balls import exact_number
 from omniproof.audit.confirm_order import confirmed_order, region_of
-from omniproof.audit.direct import NOWHERE
 from omniproof.audit.exact import subtract
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.sampling import sample_points
 from omniproof.audit.sign_chart import recognise
 from omniproof.audit.signs import guarded, not_on_faces, sign_on
 from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.zero_test import Terms
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import compile_balls, enclose, format_ball, rational_ball, sign_of
+from omniproof.decide.direct import NOWHERE
 from omniproof.decide.exact import sign
 from omniproof.decide.normal_form.angles import read_angle
 from omniproof.decide.normal_form.form import normal_form
@@ -53,6 +52,7 @@ PROBES = 60
 LARGEST_SHORT = 10**100
 """Beyond it no short number is near, and its square would soon be beyond floats."""
 Point: TypeAlias = Mapping[sp.Symbol, Any]
+Terms: TypeAlias = tuple[Term, Term]
 
 
 def compare(

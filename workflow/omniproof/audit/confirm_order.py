@@ -15,8 +15,7 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.zero_test import DisagreementError
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.answer import Answer, DisagreementError, OnBranch, Proved, Refuted, Undecided
 from omniproof.decide.z3.order import Nowhere, Region, Somewhere, find_point
 from omniproof.formula.sympy_terms import (
     Converter,

@@ -2,28 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property, partial
+from functools import cached_property
+from itertools import chain
 from typing import Any
 
 from sympy import Gt, Lt, MatrixBase, Symbol
 
-from omniproof.audit.definedness import lost_conditions
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
-from omniproof.audit.sympy_domain import Domain
+from omniproof.audit.sympy_domain import Domain, in_terms
+from omniproof.decide import domain as decide
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import Function, Lifted, evaluate
+from omniproof.formula.monomials import is_plainly_zero
 from omniproof.formula.sympy_terms import Converter
+from omniproof.formula.term import Term, divide
 from omniproof.formula.unfold import unfold
+from omniproof.formula.value import terms_in
+from omniproof.formula.where_defined import requirements
 from omniproof.registry import Derivation, Derived, Modelled, Registry, Relation
 from omniproof.transcription.checking import known_names
 from omniproof.transcription.conventions import Names
 from omniproof.transcription.loader import LoadedPaper
-from omniproof.transcription.model import Claim, Role
+from omniproof.transcription.model import Claim, Kind, Role
 from omniproof.transcription.model import Symbol as PrintedSymbol
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
@@ -34,19 +39,19 @@ from omniproof.transcription.tree import Chain, Name, Node, names
 class Context:
     """One paper under audit; `choices` are the readings of its conventions, once chosen, by claim.
 
-    Derived once: `known`, what printed symbols stand for, `lemmas`, what they do in one claim,
-    `derived`, what claims are judged by, under each reading, and `domains`, where they are. Without
-    `mends`, no misprint is mended: the derived form is the correction, and it comes at once.
+    Derived once: `derived`, by what derives it and the reading of its convention, so that claims
+    with one derivation share it; `domains`, where claims are judged, and `converters`, which know
+    the symbols of each claim. Without `mends`, no misprint is mended: the derived form is the
+    correction, and it comes at once.
     """
 
     loaded: LoadedPaper
     registry: Registry
     readings: Mapping[str, Read]
     choices: Mapping[str, str] = field(default_factory=dict)
-    known: dict[str, Any] = field(default_factory=dict)
-    lemmas: dict[str, Mapping[str, Any]] = field(default_factory=dict)
-    derived: dict[tuple[str, tuple[str, ...]], Derived] = field(default_factory=dict)
+    derived: dict[tuple[Callable[..., Any], tuple[str, ...]], Any] = field(default_factory=dict)
     domains: dict[str, Domain] = field(default_factory=dict)
+    converters: dict[str, Converter] = field(default_factory=dict)
     mends: bool = True
 
     @cached_property
@@ -81,17 +86,26 @@ class Context:
         node = read_with(text, self.loaded.paper.notation, self.names)
         return evaluate(node, self.meanings_at(claim, node), text)
 
+    def _once(self, build: Callable[..., Any], *reading: str) -> Any:
+        if (build, reading) not in self.derived:
+            self.derived[build, reading] = build(*reading)
+        return self.derived[build, reading]
+
     def meaning(self, printed: str) -> Any:
         """What a printed symbol stands for, by canonical name; quantities are derived once."""
-        # Every edit that the repair tries asks for these values again.
-        if printed not in self.known:
-            symbol = self.loaded.symbols[printed]
-            self.known[printed] = (
-                self.registry.quantities[symbol.name]()
-                if symbol.role is Role.QUANTITY
-                else self.sympy_symbol(symbol)
-            )
-        return self.known[printed]
+        symbol = self.loaded.symbols[printed]
+        if symbol.role is Role.QUANTITY:
+            return self.quantity(symbol.name)
+        return self.sympy_symbol(symbol)
+
+    def quantity(self, name: str) -> Any:
+        """Derive a quantity; raises `KeyError` for one without derivation."""
+        return self._once(self.registry.quantities[name])
+
+    def lemma(self, claim: str) -> Mapping[str, Any]:
+        """What symbols stand for in one claim only, by their names."""
+        lemma: Mapping[str, Any] = self._once(self.derivation(claim).meanings)
+        return lemma
 
     def sympy_symbol(self, symbol: PrintedSymbol) -> Symbol:
         """What a variable is in the derivations; where no code says it, the paper file does."""
@@ -110,9 +124,8 @@ class Context:
         if derivation.convention:
             stated = self.registry.conventions[derivation.convention].stated
             reading = (self.choices.get(claim, stated),)
-        if (claim, reading) not in self.derived:
-            self.derived[claim, reading] = derivation.build(*reading)
-        return self.derived[claim, reading]
+        derived: Derived = self._once(derivation.build, *reading)
+        return derived
 
     def derive_by_mechanics(self, claim: str) -> Derived:
         """Run the derivation of an identity, without what only the paper's premises give."""
@@ -126,9 +139,7 @@ class Context:
 
     def meanings_at(self, claim: str, node: Node) -> dict[str, Any]:
         """Meanings of the symbols in a formula; in a lemma, some stand for anything."""
-        if claim not in self.lemmas:
-            self.lemmas[claim] = self.derivation(claim).meanings()
-        own = self.lemmas[claim]
+        own = self.lemma(claim)
         found: dict[str, Any] = {}
         for printed in names(node) & self.loaded.symbols.keys():
             symbol = self.loaded.symbols[printed]
@@ -144,8 +155,18 @@ class Context:
 
     def unfolded(self, claim: str, node: Node) -> Any:
         """The same as terms, in which nothing is simplified; raises `LatexError`."""
-        meanings = Lifted(self.meanings_at(claim, node), Converter())
-        return unfold(node, meanings, self.printed(claim))
+        return self._unfolded(claim, node, self.printed(claim))
+
+    def _unfolded(self, claim: str, node: Node, text: str) -> Any:
+        converter = self.converters.setdefault(claim, Converter())
+        return unfold(node, Lifted(self.meanings_at(claim, node), converter), text)
+
+    def factor(self, side: Term, text: str, claim: str) -> Any:
+        """Return what stands before a printed part that makes it a side, in SymPy."""
+        node = read_with(text, self.loaded.paper.notation, self.names)
+        part = self._unfolded(claim, node, text)
+        quotient = divide(side, part)
+        return 1 if is_plainly_zero(part) else self.converters[claim].expression(quotient)
 
     def domain(self, claim: str) -> Domain:
         """Where a claim is judged: the ranges of the symbols, and what the claim assumes.
@@ -162,7 +183,7 @@ class Context:
         for name, (lower, upper) in ranges.items():
             if sign(subtract(upper, lower)) <= 0:
                 raise UnsupportedError(f"no value of {name} is left")
-        return domain_of([*self._stated(claim), *self._lost_conditions(claim)], Domain(ranges))
+        return domain_of([*self._stated(claim), *self._defined(claim)], Domain(ranges))
 
     def assumed(self, claim: str) -> list[Any]:
         """Return the same as SymPy relations: `domain` does not tell closed ends from open ones."""
@@ -181,10 +202,18 @@ class Context:
         stated = self.loaded.assumptions.get(claim, ())
         return [evaluate(node, self.meanings_at(claim, node)) for node in stated]
 
-    def _lost_conditions(self, claim: str) -> tuple[Any, ...]:
-        if claim not in self.loaded.trees:
-            return ()
-        return lost_conditions(self.loaded.trees[claim], partial(self.evaluate, claim))
+    def _defined(self, claim: str) -> list[Any]:
+        """Return where a printed order is defined, which its values in SymPy may have forgotten."""
+        if claim not in self.loaded.trees or self.claims[claim].kind is Kind.IDENTITY:
+            return []
+        value = self.unfolded(claim, self.loaded.trees[claim])
+        expression = self.converters[claim].expression
+        return [expression(each) for each in requirements(*terms_in(value))]
+
+    def domain_in_terms(self, claim: str, derived: Any) -> decide.Domain:
+        """Return where an equation of a claim is judged, with the signs of all symbols in it."""
+        own = (getattr(value, "free_symbols", ()) for value in self.lemma(claim).values())
+        return in_terms(self.domain(claim), [*self.variables, *chain(*own), *derived.free_symbols])
 
     def sides(self, claim: str) -> tuple[Node, ...]:
         """Sides of a printed equation that its derivation is held against.

@@ -18,16 +18,12 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from omniproof.audit.branches import named_parts
 from omniproof.audit.exact import sign, subtract
 from omniproof.audit.quotient import OnBox
 from omniproof.audit.signs import sign_on
 from omniproof.audit.sympy_domain import REAL_LINE, REALS, Domain
 from omniproof.decide.answer import Proved
-from omniproof.decide.normal_form.form import NormalForm
-from omniproof.decide.normal_form.radicals import Requirement
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.sympy_terms import term_of
 
 MOST_ADDED = 3
 
@@ -83,30 +79,6 @@ def _bound(relation: Relational) -> tuple[str, Any, Any] | None:
     if below.is_Symbol and not above.free_symbols:
         return below.name, -sp.oo, above
     return None
-
-
-def interior(domain: Domain) -> Domain:
-    """Return a domain without its edges; an equation that holds inside holds there by continuity.
-
-    Conditions that leave no interior leave no point to look at either, and so prove nothing.
-    """
-    strict = {sp.GreaterThan: sp.StrictGreaterThan, sp.LessThan: sp.StrictLessThan}
-    inside = (
-        strict.get(type(each), type(each))(*each.args, evaluate=False) for each in domain.conditions
-    )
-    return Domain(domain.intervals, tuple(inside))
-
-
-def settle(form: NormalForm, expression: sp.Expr, domain: Domain) -> None:
-    """Tell a normal form the signs that the domain gives to parts of a formula."""
-    if domain == REALS:
-        return
-    for part in (*_positive(domain), *named_parts(expression)):
-        pattern = form.sign_pattern(term_of(part))
-        own = sign_under(part, domain) if pattern and pattern[1] else None
-        if pattern and own:
-            places = frozenset(int(name[1:]) for name in pattern[1])
-            form.basis.requirements.append(Requirement(own * pattern[0], places))
 
 
 def sign_under(expression: sp.Expr, domain: Domain) -> int | None:

@@ -8,17 +8,17 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries, flat
 from omniproof.audit.ledger import Repair, Row, Verdict
 from omniproof.audit.mending import mend_claim, repaired
+from omniproof.audit.own_text import same_by_name
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
-from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.audit.sympy_equality import equal_to_derived
 from omniproof.audit.voice import Voice
-from omniproof.audit.zero_test import both_terms
-from omniproof.decide.answer import Answer, Proved, Refuted
-from omniproof.formula.sympy_terms import term_if_any, term_of
+from omniproof.decide.answer import Answer, DisagreementError, Proved, Refuted
+from omniproof.decide.domain import REALS, Domain
+from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, multiply
 from omniproof.formula.value import Value
 from omniproof.registry import Modelled
@@ -36,18 +36,16 @@ class Cell:
 
     `places` says which part of the text each side is; for the entry of a matrix that is the text.
     `factor` stands before a printed matrix: it belongs to the sides, and not to the text.
-    `nodes` are the printed sides, and `index` says which entry of them this is; `terms` are these
-    sides as they are printed, before SymPy had an idea of them.
+    `nodes` are the printed sides, and `index` says which entry of them this is.
     `premises` is what the paper's own premises give, where mechanics contradicts one: the `gap`.
     """
 
     id: str
     text: str
     places: tuple[Span, ...]
-    sides: tuple[Any, ...]
+    sides: tuple[Value, ...]
     derived: Any
     nodes: tuple[Node, ...]
-    terms: tuple[Value, ...]
     index: tuple[int, ...] = ()
     factor: Any = 1
     domain: Domain = REALS
@@ -68,7 +66,10 @@ def count_faults(claim: Claim, context: Context) -> int:
 
 
 def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
-    domain, derived = context.domain(claim.id), context.derive(claim.id)
+    if same_by_name(claim.id, context):
+        raise DisagreementError("two symbols have one name")
+    derived = context.derive(claim.id)
+    domain = context.domain_in_terms(claim.id, context.derive_by_mechanics(claim.id))
     if not isinstance(derived, Modelled):
         cells = _printed_cells(claim, context, derived)
         return (replace(cell, domain=domain) for cell in cells)
@@ -84,26 +85,23 @@ def _cells(claim: Claim, context: Context) -> Iterator[Cell]:
 
 def _printed_cells(claim: Claim, context: Context, derived: Any) -> Iterator[Cell]:
     nodes = context.sides(claim.id)
-    values = tuple(context.evaluate(claim.id, node) for node in nodes)
-    unfolded = tuple(context.unfolded(claim.id, node) for node in nodes)
+    values = tuple(context.unfolded(claim.id, node) for node in nodes)
     text = context.printed(claim.id)
     if not isinstance(derived, MatrixBase):
         spans = tuple(node.span for node in nodes)
-        yield Cell(claim.id, text, spans, values, derived, nodes, unfolded)
+        yield Cell(claim.id, text, spans, values, derived, nodes)
         return
     for index, entry in entries(derived).items():
-        sides = tuple(entries(value)[index] for value in values)
-        terms = tuple(grid.at(*index) for grid in unfolded)
+        sides = tuple(grid.at(*index) for grid in values)
         name = f"{claim.id}[{','.join(map(str, index))}]"
         verbatim = entry_source(text, context.loaded.trees[claim.id], index)
         if verbatim is None:
             spans = tuple(node.span for node in nodes)
-            yield Cell(name, text, spans, sides, entry, nodes, terms, index)
+            yield Cell(name, text, spans, sides, entry, nodes, index)
             continue
-        value = context.value(verbatim, claim.id)
-        factor = 1 if value == 0 else sides[-1] / value
+        factor = context.factor(sides[-1], verbatim, claim.id)
         spans = ((0, len(verbatim)),) * len(sides)
-        yield Cell(name, verbatim, spans, sides, entry, nodes, terms, index, factor)
+        yield Cell(name, verbatim, spans, sides, entry, nodes, index, factor)
 
 
 def _judge_cell(cell: Cell, claim: Claim, context: Context, voice: Voice) -> Row:
@@ -134,14 +132,12 @@ def _in_favour(cell: Cell, claim: Claim, context: Context) -> tuple[Answer, int,
     begin, end = cell.places[place]
     for way in parses(cell.text[begin:end], context.loaded.paper.notation, context.names)[0][1:]:
         try:
-            side = context.evaluate(claim.id, way.node) * cell.factor
             unfolded = context.unfolded(claim.id, way.node)
         except LatexError:  # shapes that do not fit: no formula in this reading
             continue
+        side = multiply(term_of(cell.factor), unfolded) if isinstance(unfolded, Term) else unfolded
         sides = (*cell.sides[:place], side, *cell.sides[place + 1 :])
-        term = multiply(term_of(cell.factor), unfolded) if isinstance(unfolded, Term) else unfolded
-        terms = (*cell.terms[:place], term, *cell.terms[place + 1 :])
-        found, _ = _compare(replace(cell, sides=sides, terms=terms))
+        found, _ = _compare(replace(cell, sides=sides))
         if isinstance(found, Proved):
             return found, place, way
     return answer, place, None
@@ -165,10 +161,8 @@ def _heard(answer: Answer, place: int, way: Parse | None, cell: Cell, voice: Voi
 def _compare(cell: Cell) -> tuple[Answer, int]:
     """Hold each side against what is derived; the answer on the first that fails, and its place."""
     engines: tuple[str, ...] = ()
-    derived = term_if_any(cell.derived)
-    for place, (side, term) in enumerate(zip(cell.sides, cell.terms, strict=True)):
-        terms = both_terms(term, derived)
-        answer = confirmed_equal(side, cell.derived, cell.domain, terms=terms)
+    for place, side in enumerate(cell.sides):
+        answer = equal_to_derived(side, cell.derived, cell.domain)
         if not isinstance(answer, Proved):
             return answer, place
         engines = merge(engines, answer.engines)
@@ -179,9 +173,9 @@ def _follows_from_premises(cell: Cell) -> bool:
     """Whether each side is what mechanics implies, or what the paper's own premises do."""
     if cell.premises is None:
         return False
+    implied = cell.derived, cell.premises
     return all(
-        isinstance(confirmed_equal(side, cell.derived, cell.domain), Proved)
-        or isinstance(confirmed_equal(side, cell.premises, cell.domain), Proved)
+        any(isinstance(equal_to_derived(side, each, cell.domain), Proved) for each in implied)
         for side in cell.sides
     )
 

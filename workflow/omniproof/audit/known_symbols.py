@@ -47,9 +47,11 @@ def known_symbols(context: Context) -> KnownSymbols:
         return found
 
     registry = context.registry
-    quantities = {name: noted(build(), build) for name, build in registry.quantities.items()}
+    quantities = {
+        name: noted(context.quantity(name), build) for name, build in registry.quantities.items()
+    }
     lemmas = {
-        claim: noted(derivation.meanings(), derivation.meanings)
+        claim: noted(context.lemma(claim), derivation.meanings)
         for claim, derivation in registry.derivations.items()
     }
     claims = {

@@ -8,21 +8,17 @@ from typing import Any
 
 from sympy import MatrixBase
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
 from omniproof.audit.evidence import Rival
 from omniproof.audit.hypotheses import with_box
 from omniproof.audit.ledger import Repair as Grade
 from omniproof.audit.ledger import Row
 from omniproof.audit.relations import merge
+from omniproof.audit.sympy_equality import equal_to_derived
 from omniproof.audit.voice import Box, Voice
-from omniproof.audit.zero_test import both_terms
-from omniproof.decide.answer import Answer, Proved
+from omniproof.decide.answer import Proved
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
-from omniproof.formula.grid import Grid
-from omniproof.formula.sympy_terms import term_if_any, term_of
-from omniproof.formula.term import multiply
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Mended, Misprint
 from omniproof.repair.values import UNTOLD, Values, at_points
@@ -111,23 +107,21 @@ def _proved(node: Node, derived: Any, voice: Voice, factor: Any) -> tuple[str, .
     """Name the engines that prove an edited text, times a factor, to be what is derived."""
     claim, context = voice.claim, voice.context
     try:
-        value = context.evaluate(claim, node) * factor
-        term = context.unfolded(claim, node)
-    except (LatexError, TypeError, UnsupportedError):  # no number, or shapes that do not fit
-        return ()
-    if getattr(value, "shape", ()) != getattr(derived, "shape", ()):
-        return ()
-    engines: tuple[str, ...] = ()
-    wanted = entries(derived) if isinstance(derived, MatrixBase) else {(): derived}
-    for index, right in wanted.items():
-        left = entries(value)[index] if index else value
-        own = term.at(*index) if isinstance(term, Grid) else term
-        terms = both_terms(multiply(term_of(factor), own), term_if_any(right))
-        answer: Answer = confirmed_equal(left, right, voice.domain, terms=terms)
-        answer = voice.equal(answer, node, index, right / factor)
-        if not isinstance(answer, Proved):
+        value = context.unfolded(claim, node)
+        if getattr(value, "shape", ()) != getattr(derived, "shape", ()):
             return ()
-        engines = merge(engines, answer.engines)
+        engines: tuple[str, ...] = ()
+        domain = context.domain_in_terms(claim, derived)
+        wanted = entries(derived) if isinstance(derived, MatrixBase) else {(): derived}
+        for index, right in wanted.items():
+            own = value.at(*index) if index else value
+            answer = equal_to_derived(own, right, domain, factor)
+            answer = voice.equal(answer, node, index, right / factor)
+            if not isinstance(answer, Proved):
+                return ()
+            engines = merge(engines, answer.engines)
+    except LatexError:  # shapes that do not fit
+        return ()
     return engines
 
 

@@ -19,23 +19,23 @@ from typing import Any
 
 from sympy import MatrixBase, Rational, Symbol
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries
-from omniproof.audit.digits import (
+from omniproof.audit.mending import mend_claim
+from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
+from omniproof.audit.run import prepare_to_judge
+from omniproof.audit.sympy_digits import known_value
+from omniproof.audit.sympy_domain import Domain
+from omniproof.audit.sympy_equality import confirmed_equal
+from omniproof.audit.voice import Voice
+from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted
+from omniproof.decide.digits import (
     Bound,
     NotEvaluatedError,
     UndefinedError,
     Value,
     are_equal,
-    known_value,
     value,
 )
-from omniproof.audit.mending import mend_claim
-from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
-from omniproof.audit.run import prepare_to_judge
-from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.voice import Voice
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim, Kind, Role
@@ -316,7 +316,7 @@ class _Judge:
     def meaning(self, seed: int, symbol: Symbolic, bound: Bound) -> Value:
         try:
             known = self.known(symbol)
-            moved = {self.known(Name(name)): x for name, x in bound.items()}
+            moved = {self.known(Name(name)).name: x for name, x in bound.items()}
         except LatexError:
             raise NotEvaluatedError(f"{symbol.name} has no meaning") from None
         return _known_value(known, seed, moved)
@@ -328,9 +328,9 @@ class _Judge:
 _VALUES: dict[tuple[Any, int], Value] = {}
 
 
-def _known_value(known: Any, seed: int, moved: Mapping[Any, Any]) -> Value:
+def _known_value(known: Any, seed: int, moved: Mapping[str, Any]) -> Value:
     """Evaluate a quantity, at a point once; inside of an integral its variable moves."""
-    point = {symbol: _coordinate(symbol, seed) for symbol in known.free_symbols}
+    point = {symbol.name: _coordinate(symbol, seed) for symbol in known.free_symbols}
     if moved.keys() & point.keys():
         return known_value(known, point | dict(moved), seed)
     if (known, seed) not in _VALUES:

@@ -14,12 +14,14 @@ from typing import Any
 
 from sympy import Expr, Integer, latex
 
-from omniproof.audit import direct, ordering
-from omniproof.audit.confirm import confirmed_equal
-from omniproof.audit.direct import Place, Statement, known_side, places
+from omniproof.audit import ordering
 from omniproof.audit.hypotheses import closed_ends, sign_under, with_box, within
+from omniproof.audit.sympy_digits import known_side, places_in
 from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.audit.sympy_equality import confirmed_equal
+from omniproof.decide import direct
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided, Witness
+from omniproof.decide.direct import Place, Statement
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.value import Comparison
@@ -77,8 +79,9 @@ def _heard(answer: Answer, obligation: Obligation, domain: Domain) -> Answer:
 def _places(symbols: Iterable[Any], obligation: Obligation, domain: Domain) -> Iterator[Place]:
     """Yield points of the domain; the extreme value itself is no better than it is."""
     box = getattr(obligation.subject, "box", {})
-    extreme = [dict(zip(box, point, strict=True)) for point in obligation.at]
-    for place in places({*symbols, *box}, with_box(domain, box)):
+    names = [symbol.name for symbol in box]
+    extreme = [dict(zip(names, point, strict=True)) for point in obligation.at]
+    for place in places_in(with_box(domain, box), {*symbols, *box}):
         if not any(point.items() <= place.items() for point in extreme):
             yield place
 

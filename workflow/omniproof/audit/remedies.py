@@ -6,10 +6,12 @@ from collections.abc import Callable
 from functools import cache
 
 from omniproof.audit.definitions import definitions
-from omniproof.audit.direct import exact_place
 from omniproof.audit.setting import Assumptions, Setting
+from omniproof.audit.sympy_domain import in_sympy
 from omniproof.decide.answer import Witness
+from omniproof.decide.direct import exact_place
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.sympy_terms import Converter
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Mended, Misprint
 from omniproof.repair.values import Values, at_points
@@ -29,6 +31,7 @@ def remedies(
     `proved` names the engines that prove an edited text; at `witness` the printed one is false.
     """
     at = exact_place(witness) if witness else None
+    domain = in_sympy(setting.domain, Converter())
 
     def judged(text: str) -> tree.Node:
         rest = definitions(assumptions.read(text)).rest
@@ -40,7 +43,7 @@ def remedies(
     def meaning(symbol: tree.Symbolic) -> Values:
         known = setting.meanings[symbol.name]
         try:
-            values = at_points(known, setting.domain)
+            values = at_points(known, domain)
         except UnsupportedError:
             raise KeyError(symbol.name) from None
         # A relation may fail at few points: the witness is one of them.

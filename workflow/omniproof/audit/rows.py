@@ -16,12 +16,13 @@ from sympy import (
 )
 from sympy.core.relational import Relational
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context
 from omniproof.audit.evidence import Counterexample
 from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
+from omniproof.audit.sympy_domain import in_symbols
+from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.registry import Family
 from omniproof.transcription.model import Claim, Kind
@@ -57,7 +58,7 @@ def _fields(answer: Answer, context: Context) -> dict[str, Any]:
                 "engines": "+".join(engines),
             }
         case OnBranch(engines, _, witness):
-            condition, note = _condition(answer, context)
+            condition, note = _condition(in_symbols(answer, context.variables), context)
             return {
                 "verdict": Verdict.CONDITIONAL,
                 "assumption": condition,

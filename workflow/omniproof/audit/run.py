@@ -16,8 +16,9 @@ from omniproof.audit.other_notation import misread
 from omniproof.audit.own_text import refuse_own_text, same_by_name
 from omniproof.audit.readings import load_readings, unfit
 from omniproof.audit.wavering import choose, choose_among
-from omniproof.audit.zero_test import DisagreementError
+from omniproof.decide.answer import DisagreementError
 from omniproof.formula.errors import UnsupportedError
+from omniproof.formula.grid import Grid
 from omniproof.registry import Registry, load_registry
 from omniproof.transcription.faults import BadInput, Fault
 from omniproof.transcription.loader import load_paper, load_sound_part
@@ -137,11 +138,11 @@ def _unfit(claim: Claim, context: Context) -> Iterator[Fault]:
         return
     try:
         nodes = context.sides(claim.id) if compared else (context.loaded.trees[claim.id],)
-        values = [context.evaluate(claim.id, node) for node in nodes]
+        values = [context.unfolded(claim.id, node) for node in nodes]
     except LatexError as error:
         yield context.loaded.fault(claim.id, error.message, error.cure, "latex")
         return
-    if compared and any(isinstance(value, MatrixBase) for value in values):
+    if compared:
         yield from _shapes(claim, context, values)
 
 
@@ -168,6 +169,7 @@ def _shapes(claim: Claim, context: Context, values: list[object]) -> Iterator[Fa
 
 
 def _shape(value: object) -> str:
-    if isinstance(value, MatrixBase):
-        return f"a matrix of {value.rows} x {value.cols}"
+    if isinstance(value, MatrixBase | Grid):
+        rows, columns = value.shape
+        return f"a matrix of {rows} x {columns}"
     return "a single expression"

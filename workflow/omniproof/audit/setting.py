@@ -10,15 +10,15 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
+from functools import cached_property
 from typing import Any, NoReturn
 
-import sympy as sp
-
-from omniproof.audit.exact import sign, subtract
-from omniproof.audit.sympy_domain import REAL_LINE, Domain
+from omniproof.decide.domain import REAL_LINE, Domain, Range
+from omniproof.decide.exact import sign
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.evaluation import evaluate
-from omniproof.formula.term import Symbol
+from omniproof.formula.term import ZERO, Call, Symbol, Term, number, subtract
+from omniproof.formula.unfold import unfold
+from omniproof.formula.value import kind
 from omniproof.transcription import tree
 from omniproof.transcription.conventions import ALONE, Conventions
 from omniproof.transcription.faults import nearest
@@ -28,7 +28,7 @@ from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name
 from omniproof.transcription.tokens import LatexError
 
-LARGEST_BOUND = sp.Integer(10) ** 300
+LARGEST_BOUND = number(10**300)
 """Samples are drawn between floats, which end at 10^308."""
 _ACCENT = re.compile(r"^\\(?:wide)?(hat|bar|tilde|dot|ddot|vec)\{(\\?[A-Za-z]+)\}")
 _PLAIN = re.compile("[A-Za-z][A-Za-z0-9]*(?:__?[A-Za-z0-9]+)*")
@@ -66,19 +66,26 @@ class Assumptions:
 
 @dataclass(frozen=True)
 class Setting:
-    """SymPy's symbol for each canonical name of a formula, and the domain of all of them."""
+    """A plain name for each canonical name of a formula, and the domain of all symbols."""
 
-    meanings: Mapping[str, sp.Symbol]
+    names: Mapping[str, str]
     domain: Domain
 
-    @property
+    @cached_property
     def letters(self) -> dict[str, Symbol]:
-        """The same symbols, in terms."""
-        return {name: Symbol(symbol.name) for name, symbol in self.meanings.items()}
+        """What each symbol of the formula stands for."""
+        return {printed: Symbol(name) for printed, name in self.names.items()}
+
+    @cached_property
+    def meanings(self) -> dict[str, Any]:
+        """The same in SymPy, for what asks there."""
+        from omniproof.audit.sympy_domain import symbol_in
+
+        return {printed: symbol_in(self.domain, name) for printed, name in self.names.items()}
 
 
 def settle(node: tree.Node, assumptions: Assumptions) -> Setting:
-    """Give each symbol of a formula its sign and range.
+    """Give each symbol of a formula its range.
 
     Raises `LatexError` for an assumption that cannot be read, is empty, or is about a symbol that
     the formula does not have.
@@ -86,14 +93,7 @@ def settle(node: tree.Node, assumptions: Assumptions) -> Setting:
     found = sorted(tree.names(node))
     ranges = _ranges(found, assumptions)
     spelled = _spell(found)
-    meanings = {name: _symbol(spelled[name], *ranges.get(name, REAL_LINE)) for name in found}
-    return Setting(meanings, Domain({spelled[name]: range_ for name, range_ in ranges.items()}))
-
-
-def _symbol(name: str, lower: Any, upper: Any) -> sp.Symbol:
-    if lower.is_nonnegative:
-        return sp.Symbol(name, positive=True)
-    return sp.Symbol(name, **({"negative": True} if upper.is_nonpositive else {"real": True}))
+    return Setting(spelled, Domain({spelled[name]: range_ for name, range_ in ranges.items()}))
 
 
 def _spell(found: Collection[str]) -> dict[str, str]:
@@ -116,30 +116,35 @@ def _plain(name: str) -> str:
     return re.sub(r"[\\{}]", "", re.sub(r"[, ]+", "_", name))
 
 
-def _ranges(found: Collection[str], assumptions: Assumptions) -> dict[str, tuple[Any, Any]]:
-    ranges: dict[str, tuple[Any, Any]] = {}
-    for name, lower, upper, text in _limits(assumptions):
+def _ranges(found: Collection[str], assumptions: Assumptions) -> dict[str, Range]:
+    ranges: dict[str, Range] = {}
+    for name, limits, text in _limits(assumptions):
         if name not in found:
             cure = nearest(name, found, "leave the assumption out")
             _refuse(text, f"the formula has no symbol `{name}`", cure)
-        old = ranges.get(name, REAL_LINE)
-        both = _larger(old[0], lower), -_larger(-old[1], -upper)
-        if sp.oo not in (-both[0], both[1]) and sign(subtract(both[1], both[0])) <= 0:
+        (low, high), (lower, upper) = ranges.get(name, REAL_LINE), limits
+        both = _farther(low, lower, 1), _farther(high, upper, -1)
+        if _is_empty(*both):
             _refuse(text, f"the range of `{name}` is empty", "write the smaller bound on the left")
         ranges[name] = both
     return ranges
 
 
-def _larger(a: Any, b: Any) -> Any:
-    if -sp.oo in (a, b):
-        return b if a == -sp.oo else a
-    return a if sign(subtract(a, b)) >= 0 else b
+def _farther(one: Term | None, other: Term | None, side: int) -> Term | None:
+    """Return the larger of two lower ends (side 1), or the smaller of two upper ones (side -1)."""
+    if one is None or other is None:
+        return other if one is None else one
+    return one if side * sign(subtract(one, other)) >= 0 else other
 
 
-def _limits(assumptions: Assumptions) -> Iterator[tuple[str, Any, Any, str]]:
-    """Yield symbol, lower and upper bound, and the text that says so."""
+def _is_empty(lower: Term | None, upper: Term | None) -> bool:
+    return lower is not None and upper is not None and sign(subtract(upper, lower)) <= 0
+
+
+def _limits(assumptions: Assumptions) -> Iterator[tuple[str, Range, str]]:
+    """Yield symbol, range, and the text that says so."""
     for text in assumptions.positive:
-        yield symbol_name(text), sp.Integer(0), sp.oo, text
+        yield symbol_name(text), (ZERO, None), text
     for text in assumptions.between:
         node = assumptions.read(text)
         together = isinstance(node, tree.Logic) and node.operator == "and"
@@ -148,7 +153,7 @@ def _limits(assumptions: Assumptions) -> Iterator[tuple[str, Any, Any, str]]:
             yield *_limit(part, text), text
 
 
-def _limit(part: tree.Node, text: str) -> tuple[str, Any, Any]:
+def _limit(part: tree.Node, text: str) -> tuple[str, Range]:
     r"""Read `a < x` or `x < b`."""
     if not isinstance(part, tree.Comparison) or part.operator not in {"<", ">"}:
         _refuse(text, "expected a range with `<`", r"write `0 < x < 1`: ends do not belong to it")
@@ -156,19 +161,25 @@ def _limit(part: tree.Node, text: str) -> tuple[str, Any, Any]:
     if part.operator == ">":
         below, above = above, below
     if isinstance(above, tree.Name):
-        return above.name, _bound(below, text), sp.oo
+        return above.name, (_bound(below, text), None)
     if isinstance(below, tree.Name):
-        return below.name, -sp.oo, _bound(above, text)
+        return below.name, (None, _bound(above, text))
     return _refuse(text, "expected one symbol between two numbers", "write `0 < x < 1`")
 
 
-def _bound(node: tree.Node, text: str) -> Any:
+def _bound(node: tree.Node, text: str) -> Term:
     if tree.names(node):
         _refuse(text, "expected a number as the end of a range", "write `0 < x < 1`")
-    value = evaluate(node, {}, text)
+    value = unfold(node, {}, text)
+    if not isinstance(value, Term):
+        _refuse(
+            text,
+            f"expected a number as the end of a range, found {kind(value)}",
+            "write `0 < x < 1`",
+        )
     try:
         sign(value)
-        within_reach = sign(subtract(LARGEST_BOUND, sp.Abs(value))) > 0
+        within_reach = sign(subtract(LARGEST_BOUND, Call("abs", (value,)))) > 0
     except UnsupportedError as reason:
         _refuse(text, f"expected a number as the end of a range: {reason}", "write `0 < x < 1`")
     if not within_reach:

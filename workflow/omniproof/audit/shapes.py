@@ -18,11 +18,11 @@ from typing import Any, TypeGuard
 
 import sympy as sp
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.exact import sign
 from omniproof.audit.hypotheses import sign_under
 from omniproof.audit.signs import guarded
 from omniproof.audit.sympy_domain import REALS, Domain
+from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.decide.answer import Witness as Point
 from omniproof.formula.errors import UnsupportedError, WorkLimitError

@@ -12,22 +12,13 @@ from mpmath import mp
 from sympy import Integral, ilcm
 
 from omniproof.audit.context import Context
-from omniproof.audit.digits import DIGITS, Value, are_equal, known_value
-from omniproof.audit.direct import (
-    Place,
-    Statement,
-    entry_of,
-    heard,
-    is_met,
-    is_true,
-    known_side,
-    places,
-    printed_side,
-)
 from omniproof.audit.hypotheses import with_box
+from omniproof.audit.sympy_digits import is_met, known_side, known_value, places_in
 from omniproof.decide.answer import Answer, Refuted, Witness
+from omniproof.decide.digits import DIGITS, Value, are_equal
+from omniproof.decide.direct import Place, Statement, entry_of, heard, is_true, printed_side
 from omniproof.formula.evaluation import Function, evaluate
-from omniproof.transcription.tree import Node, children
+from omniproof.transcription.tree import Name, Node, children
 
 MOST_PLACES = 12
 """Enough for three that count: papers print what is defined almost everywhere."""
@@ -41,8 +32,12 @@ class Voice:
 
     def __init__(self, claim: str, context: Context) -> None:
         self.claim, self.context, self.domain = claim, context, context.domain(claim)
-        known = cache(lambda node: evaluate(node, context.meanings_at(claim, node)))
-        self.side = cache(lambda node: printed_side(node, known))
+        value = cache(lambda node: evaluate(node, context.meanings_at(claim, node)))
+        self.side = cache(
+            lambda node: printed_side(
+                node, lambda symbol: known_side(value(symbol)), lambda name: str(value(Name(name)))
+            )
+        )
 
     def equal(self, answer: Answer, printed: Node, index: tuple[int, ...], derived: Any) -> Answer:
         """Ask about an answer on a printed side and what it should be.
@@ -61,7 +56,7 @@ class Voice:
         links = tuple((less, "<", more) for less, more in pairwise(map(self.side, printed)))
         symbols = box.keys() | frozenset().union(*map(self._symbols, printed))
         statement = Statement(links)
-        return heard(answer, statement, lambda: places(symbols, with_box(self.domain, box)))
+        return heard(answer, statement, lambda: places_in(with_box(self.domain, box), symbols))
 
     def equivalent(self, answer: Answer, printed: Node, derived: Any) -> Answer:
         """Ask about an answer on a printed condition and the one that it should be."""
@@ -71,7 +66,7 @@ class Voice:
             lambda place: mp.mpf(is_met(derived, place)),
         ),))  # fmt: skip
         symbols = self._symbols(printed) | derived.free_symbols
-        return heard(answer, truth, lambda: places(symbols, self.domain))
+        return heard(answer, truth, lambda: places_in(self.domain, symbols))
 
     def instance(self, answer: Answer, printed: Node, family: Sequence[Any]) -> Answer:
         """Ask whether printed angles are those of one parameter; what is assumed of it is not."""
@@ -101,13 +96,13 @@ class Voice:
         if not others:
             yield from shared
             return
-        for place, more in zip(shared, places(others, self.domain), strict=False):
+        for place, more in zip(shared, places_in(self.domain, others), strict=False):
             yield Place({**place, **more})
 
 
 @lru_cache(maxsize=8)
 def _shared_places(context: Context, _domain: str, claim: str) -> list[Place]:
-    found = places(context.variables, context.domain(claim))
+    found = places_in(context.domain(claim), context.variables)
     return list(islice(found, MOST_PLACES))
 
 
@@ -117,7 +112,7 @@ def _most_in_common(angles: Sequence[Value], family: Sequence[Any]) -> int:
     turns = int(ilcm(1, *(member.coeff(parameter).q for member in family)))
 
     def at(number: Value) -> list[Value]:
-        return [known_value(member, {parameter: number}) for member in family]
+        return [known_value(member, {parameter.name: number}) for member in family]
 
     best = 0
     for start, end in zip(at(mp.mpf(0)), at(mp.mpf(1)), strict=True):

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, flat
 from omniproof.audit.identities import count_faults, judge_identity
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
 from omniproof.audit.rows import with_note
+from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Proved
 from omniproof.transcription.ids import whole
 from omniproof.transcription.model import Claim, Kind

@@ -70,4 +70,8 @@ class Undecided:
     engines: tuple[str, ...] = ()
 
 
+class DisagreementError(RuntimeError):
+    """Engines contradict each other: a defect of one of them, never of a formula."""
+
+
 Answer = Proved | Refuted | OnBranch | Undecided

@@ -20,7 +20,18 @@ from typing import Any, TypeAlias
 from flint import arb, arb_series, ctx, fmpq
 
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.term import Call, Number, Pi, Power, Product, Sum, Symbol, Term
+from omniproof.formula.term import (
+    Call,
+    Integral,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    Term,
+    walk,
+)
 
 CANCELLED = 1e-20
 """A ball about 0 of this radius is shown as 0: a witness has 20 digits at most to tell it apart."""
@@ -92,6 +103,14 @@ def enclose(term: Term, point: Mapping[str, Any] | None = None, precision: int =
     program = compile_balls([term], tuple(point))
     with ctx.workprec(precision):
         return program.run([rational_ball(value) for value in point.values()])[0]
+
+
+def is_enclosed(term: Term) -> bool:
+    """Whether balls know all that a term is made of: no integral, and no unknown function."""
+    return all(
+        part.function in FUNCTIONS if isinstance(part, Call) else not isinstance(part, Integral)
+        for part in walk(term)
+    )
 
 
 def as_float(ball: Ball) -> float:

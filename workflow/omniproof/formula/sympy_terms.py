@@ -13,6 +13,7 @@ from operator import mul
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from omniproof.formula.angle import circular
 from omniproof.formula.errors import UnsupportedError
@@ -49,14 +50,6 @@ JOIN: dict[str, Callable[..., Any]] = {"and": sp.And, "or": sp.Or, "equivalent":
 def term_of(expression: Any) -> Term:
     """Return an expression of SymPy, or a number, as a term; raises `UnsupportedError`."""
     return _term(sp.sympify(expression))
-
-
-def term_if_any(expression: Any) -> Term | None:
-    """Return an expression as a term; None for one that is none."""
-    try:
-        return term_of(expression)
-    except UnsupportedError:
-        return None
 
 
 @lru_cache(maxsize=100_000)
@@ -103,9 +96,9 @@ def _integral(node: Any) -> Term:
 
 
 def _call(node: Any) -> Term:
-    """Name a function; one that no engine knows is as good as any other number."""
-    name = NAMES.get(node.func) or (str(node.func) if node.is_Function else "")
-    if not (name and node.args) or isinstance(node, sp.Piecewise):
+    """Name a function of the table, or one that is not known, and so may be any."""
+    name = NAMES.get(node.func) or (str(node.func) if isinstance(node, AppliedUndef) else "")
+    if not name:
         raise UnsupportedError(_refusal(node))
     return applied(name, tuple(map(_term, node.args)))
 
@@ -225,7 +218,7 @@ def _applied(function: str, *arguments: Any) -> Any:
     SymPy tells the signs of most functions from two digits: an arc cosine near 0 is 0 for it, and a
     cotangent near a pole may be on the wrong side. Sine, cosine and arc sine are told to the end.
     """
-    apply = SYMPY_FUNCTIONS.get(function, sp.Function(function))
+    apply = SYMPY_FUNCTIONS.get(function) or sp.Function(function, real=True)
     try:
         value = apply(*arguments)
     except (TypeError, AttributeError):  # it cannot order numbers of hundreds of digits

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
@@ -49,6 +50,18 @@ class Cases:
     """A number by cases: values, each with its condition."""
 
     branches: tuple[tuple[Term, Statement], ...]
+
+
+def terms_in(value: Value) -> Iterator[Term]:
+    """Yield the numbers in a value; those of cases only hold for some values, and are left out."""
+    match value:
+        case Term():
+            yield value
+        case Grid(entries=parts) | Logic(operands=parts) | (tuple() as parts):
+            for part in parts:
+                yield from terms_in(part)
+        case Comparison(left=left, right=right):
+            yield from (left, right)
 
 
 def kind(value: Value) -> str:

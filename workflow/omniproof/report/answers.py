@@ -14,9 +14,9 @@ from typing import Any
 
 from sympy import Expr, MatrixBase
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, flat
 from omniproof.audit.ledger import Ledger, Row, Verdict
+from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.corrected import ANSWERS, FUNCTIONS
 from omniproof.corrected.answer import Answer, Line
 from omniproof.decide.answer import Proved

@@ -17,12 +17,12 @@ from typing import Any, NoReturn
 
 import sympy as sp
 
-from omniproof.audit.confirm import confirmed_equal
 from omniproof.audit.context import Context, entries, flat
 from omniproof.audit.decimals import read_decimal
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.run import choose_reading, open_to_judge
+from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import OnBranch, Proved, Refuted
 from omniproof.registry import Fit
 from omniproof.report.fragments.base import Fragment, worst

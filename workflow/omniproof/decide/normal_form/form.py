@@ -17,7 +17,7 @@ from omniproof.decide.normal_form.angles import CircleChart, TangentChart
 from omniproof.decide.normal_form.conversion import Converter
 from omniproof.decide.normal_form.inverse import without_inverse_functions
 from omniproof.decide.normal_form.quotient_ring import Fraction, Polynomial
-from omniproof.decide.normal_form.radicals import Basis
+from omniproof.decide.normal_form.radicals import Basis, Requirement
 from omniproof.decide.normal_form.separation import Constants
 from omniproof.decide.normal_form.survey import survey
 from omniproof.decide.normal_form.tower import build, constants_of
@@ -81,6 +81,13 @@ class NormalForm:
         own = [place for place in places if place >= known]
         del self.basis.factors[known:], self.basis.signs[known:]
         return None if own else (sign, frozenset(f"e{place}" for place in places))
+
+    def presume(self, term: Term, sign: int) -> None:
+        """Leave out what gives a term another sign; a term with factors of its own says nothing."""
+        pattern = self.sign_pattern(term)
+        if pattern and pattern[1]:
+            places = frozenset(int(name[1:]) for name in pattern[1])
+            self.basis.requirements.append(Requirement(sign * pattern[0], places))
 
     def _admissible(self, signs: Signs) -> bool:
         for requirement in self.basis.requirements:

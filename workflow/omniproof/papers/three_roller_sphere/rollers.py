@@ -7,7 +7,6 @@ azimuth.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 
@@ -67,7 +66,8 @@ ROLLERS = tuple(any_roller(name) for name in "123")
 """Three rollers of any placement, orientation and speed."""
 
 
-def optimum(rollers: Sequence[Roller], radius: Expr = RADIUS) -> ImmutableMatrix:
+@cache
+def optimum(rollers: tuple[Roller, ...], radius: Expr = RADIUS) -> ImmutableMatrix:
     """Spin (rad/s) with the least sum of squared slips: 3x1."""
     return sphere.least_squares_spin(
         [roller.contact for roller in rollers],

@@ -220,6 +220,7 @@ def any_other_vector() -> ImmutableMatrix:
     return free_vectors()[1]
 
 
+@cache
 def sum_of_columns() -> ImmutableMatrix:
     """Twist for three equal wheel speeds of 1 m/s: the sum of the columns of the inverse, 3 x 1."""
     return (any_directions().inverse * ones(3, 1)).applyfunc(cancel)

@@ -13,85 +13,49 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, repeat
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING
 
-import sympy as sp
 from flint import ctx
 
-from omniproof.audit.balls import evaluate, exact_number
-from omniproof.audit.branches import Condition, find_condition
-from omniproof.audit.exact import subtract
-from omniproof.audit.hypotheses import interior, settle
-from omniproof.audit.quotient import OnBox
-from omniproof.audit.sampling import REACH, Sample, by_name, sample_points
-from omniproof.audit.signs import sign_on
-from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.answer import (
+    Answer,
+    DisagreementError,
+    OnBranch,
+    Proved,
+    Refuted,
+    Undecided,
+    Witness,
+)
 from omniproof.decide.balls import Ball, Program, compile_balls, format_ball, rational_ball
+from omniproof.decide.domain import REALS, Domain
 from omniproof.decide.normal_form.form import NormalForm, normal_form
 from omniproof.decide.normal_form.recurring import vanishes_in_parts
 from omniproof.decide.normal_form.survey import is_radical
+from omniproof.decide.sampling import REACH, Sample, sample_points
 from omniproof.formula.errors import UnsupportedError, WorkLimitError
-from omniproof.formula.sympy_terms import positive_names, term_of
+from omniproof.formula.monomials import expand
 from omniproof.formula.term import Term, symbols, walk
+from omniproof.formula.where_defined import radicands
+
+if TYPE_CHECKING:
+    from omniproof.decide.branches import Branches, Condition
 
 ENGINE = ("flint",)
 FIRST_LOOK, SECOND_LOOK, BRANCH_LOOK = 3, 60, 32
 LOW, HIGH = 128, 1_024
 FAR = (8, 80, 800)  # the first is more than a turn of the slowest angle
-Terms: TypeAlias = tuple[Term, Term]
-UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo)
 
 
-def both_terms(left: Any, right: Any) -> Terms | None:
-    """Return two sides as a pair of terms; None where one is none, as a number by cases is."""
-    return (left, right) if isinstance(left, Term) and isinstance(right, Term) else None
+def decide_equal(printed: Term, derived: Term, domain: Domain = REALS) -> Answer:
+    """Decide whether two terms agree wherever both are defined; a witness shows both values.
 
-
-class DisagreementError(RuntimeError):
-    """Balls and normal form contradict each other: a defect of the engine, never of a formula."""
-
-
-def decide(expression: sp.Expr, domain: Domain = REALS) -> Answer:
-    """Decide whether a formula is zero at every point of the domain where it is defined.
-
-    Symbols are real. Never raises for a formula: what is outside of the class is `Undecided`.
+    Never raises for a formula: what is outside of the class is `Undecided`.
     """
-    return _guarded(exact_number(expression), sp.S.Zero, domain)
-
-
-def decide_equal(
-    printed: sp.Expr, derived: sp.Expr, domain: Domain = REALS, terms: Terms | None = None
-) -> Answer:
-    """Decide whether two formulas agree wherever both are defined; a witness shows both values.
-
-    `terms` are the sides as they are printed, before SymPy had an idea of them.
-    """
-    printed, derived = exact_number(printed), exact_number(derived)
-    answer = _guarded(printed, derived, domain, terms)
-    return (isinstance(answer, Undecided) and _undefined(printed, derived)) or answer
-
-
-def _undefined(printed: sp.Expr, derived: sp.Expr) -> Answer | None:
-    """Answer where a side is undefined as it stands, which balls refuse."""
-    undefined = [side.has(*UNDEFINED) for side in (printed, derived)]
-    if all(undefined):
-        return Undecided("both sides contain a division by zero or another undefined value")
-    return _one_side_undefined(printed, derived, undefined[0]) if any(undefined) else None
-
-
-def _one_side_undefined(printed: sp.Expr, derived: sp.Expr, left: bool) -> Answer:
-    words = ["undefined", sp.sstr(derived)] if left else [sp.sstr(printed), "undefined"]
-    side = "printed" if left else "derived"
-    return Refuted(ENGINE, Witness({}, *words), f"the {side} side is nowhere defined")
-
-
-def _guarded(
-    printed: sp.Expr, derived: sp.Expr, domain: Domain, terms: Terms | None = None
-) -> Answer:
     try:
-        sides = terms or (term_of(printed), term_of(derived))
-        return _Question(printed, derived, domain, sides).answer()
+        answer = _Question(printed, derived, domain).answer()
+        if isinstance(answer, Refuted | OnBranch) and (idle := _cancelled(printed, derived)):
+            answer = _Question(printed, derived, domain, idle).answer()
+        return answer
     except UnsupportedError as reason:
         return Undecided(str(reason), ENGINE)
     except RecursionError:
@@ -116,7 +80,7 @@ class _Probe:
 
     def witness(self) -> Witness:
         """Write the point and both values, with as many digits as it takes to see a difference."""
-        point = {symbol.name: str(value) for symbol, value in self.point.items()}
+        point = {name: str(value) for name, value in self.point.items()}
         for digits in (4, 8, 16, 32, 64, 128):
             sides = format_ball(self.printed, digits), format_ball(self.derived, digits)
             if sides[0] != sides[1]:
@@ -124,28 +88,34 @@ class _Probe:
         return Witness(point, *sides)
 
 
+def _cancelled(*sides: Term) -> frozenset[str]:
+    """Names of symbols that multiplying out cancels: a witness does without their values."""
+    try:
+        left = (part for side in sides for monomial in expand(side) for part, _ in monomial)
+        kept = set().union(*map(symbols, left))
+    except UnsupportedError:
+        return frozenset()
+    return frozenset().union(*map(symbols, sides)) - kept
+
+
 class _Question:
-    """The engines look at `terms`; a condition is put into words by SymPy's idea of them."""
-
-    def __init__(self, printed: sp.Expr, derived: sp.Expr, domain: Domain, terms: Terms) -> None:
-        self.printed, self.derived, self.domain = printed, derived, interior(domain)
-        self.terms = terms
-        known = printed.free_symbols | derived.free_symbols
-        self.symbols = sorted(known, key=by_name)
-        names = [symbol.name for symbol in self.symbols]
-        # What cancels is printed and does not matter: it has values, and no place in a witness.
-        others = sorted(set().union(*map(symbols, terms)).difference(names))
-        self.others = [sp.Symbol(name, real=True) for name in others]
-        self.program: Program = compile_balls(terms, names + others)
-
-    @cached_property
-    def difference(self) -> sp.Expr:
-        """The formula whose parts a condition is written in; not needed where there is none."""
-        return subtract(self.printed, self.derived)
+    def __init__(
+        self, printed: Term, derived: Term, domain: Domain, idle: frozenset[str] = frozenset()
+    ) -> None:
+        self.terms, self.domain, self.idle = (printed, derived), domain, sorted(idle)
+        self.names = sorted((symbols(printed) | symbols(derived)) - idle)
+        self.program: Program = compile_balls(self.terms, self.names + self.idle)
 
     def form(self) -> NormalForm:
         """Bring the difference of the sides into normal form."""
-        return normal_form(*self.terms, positive_names(self.printed, self.derived))
+        return normal_form(*self.terms, self.domain.nonnegative)
+
+    @cached_property
+    def branches(self) -> Branches:
+        """What puts conditions into words; most formulas need none."""
+        from omniproof.decide.branches import Branches
+
+        return Branches(self.terms, self.domain)
 
     def answer(self) -> Answer:
         """Decide; sides written alike are equal wherever they are defined, if that is anywhere."""
@@ -179,16 +149,26 @@ class _Question:
         if probes and len(differing) == len(probes):
             return Refuted(ENGINE, differing[0].witness())
         form = self.form()
-        settle(form, self.difference, self.domain)
-        if form.is_zero or all(true for _, true in form.patterns()):
+        for radicand in radicands(*self.terms):
+            form.presume(radicand, 1)
+        if self.is_settled(form):
             if differing:
                 raise DisagreementError(f"zero by normal form, not at {differing[0].witness()}")
             return self.proved(probes)
         return self.on_branch(form, probes)
 
+    def is_settled(self, form: NormalForm) -> bool:
+        """Whether a form is zero for all signs that its parts can have in the domain."""
+        if form.is_zero or all(true for _, true in form.patterns()):
+            return True
+        if self.domain.is_orthant:
+            return False
+        self.branches.settle(form)
+        return all(true for _, true in form.patterns())
+
     def on_branch(self, form: NormalForm, probes: list[_Probe]) -> Answer:
         """Answer where the truth depends on signs, that the domain may or may not settle."""
-        condition = self.condition(form)
+        condition = self.branches.condition(form)
         settled = condition is not None and not condition.parts
         if not settled and not any(probe.differs for probe in probes):
             probes = [*probes, *self.far_probes(form)]
@@ -196,19 +176,11 @@ class _Question:
         if not differing:
             return self.without_counterexample(condition)
         witness = differing[0].witness()
-        if condition is None or not self.is_exact(condition, probes):
+        if condition is None or not _is_exact(condition, probes):
             # Sides that agree at a single point, as for L = 1, do so for no choice of signs.
             partly = any(true for _, true in form.patterns())
             return Refuted(ENGINE, witness, "it holds in a part of the domain" if partly else "")
         return OnBranch(ENGINE, condition.latex, witness, relations=condition.relations)
-
-    def condition(self, form: NormalForm) -> Condition | None:
-        """Find the condition, without the parts of it that the domain settles."""
-        condition = find_condition(form, self.difference)
-        if condition is None:
-            return None
-        parts = (part for part in condition.parts if not self.is_positive(part))
-        return Condition(tuple(parts), condition.strict)
 
     def far_probes(self, form: NormalForm) -> list[_Probe]:
         """Look further and further out for a difference: cos(x/2) is positive within half a turn.
@@ -232,36 +204,6 @@ class _Question:
             return Undecided(f"it holds where {condition.latex}: not proved for the domain", ENGINE)
         return Proved(ENGINE)
 
-    @staticmethod
-    def is_exact(condition: Condition, probes: list[_Probe]) -> bool:
-        """Whether the sides differ at just those points that miss the condition."""
-        return all(
-            probe.differs == any(evaluate(part, probe.point) < 0 for part in condition.parts)
-            for probe in probes
-        )
-
-    def is_positive(self, part: sp.Expr) -> bool:
-        """Prove that a formula is positive everywhere in the domain."""
-        sides = {s: self.domain.intervals[s.name] for s in part.free_symbols if self.is_limited(s)}
-        rest = part.free_symbols - set(sides)
-        shifted = part.subs({symbol: self.shifted(symbol) for symbol in rest})
-        if not sides or rest:
-            return bool(sp.expand(shifted).is_nonnegative)
-        return isinstance(sign_on(OnBox(part, sides), 1), Proved)
-
-    def is_limited(self, symbol: sp.Symbol) -> bool:
-        """Whether the domain of a symbol is bounded."""
-        lower, upper = self.domain.interval(symbol.name)
-        return lower != -sp.oo and upper != sp.oo
-
-    def shifted(self, symbol: sp.Symbol) -> sp.Expr:
-        """Write a symbol that is bounded on one side by a positive one."""
-        lower, upper = self.domain.interval(symbol.name)
-        positive = sp.Symbol(symbol.name, positive=True)
-        if lower == -sp.oo:
-            return symbol if upper == sp.oo else upper - positive
-        return lower + positive
-
     def proved(self, probes: list[_Probe]) -> Answer:
         """Report a proof, unless the formula is not defined anywhere in the domain."""
         if any(p.defined for p in probes) or any(p.defined for p in self.probes(SECOND_LOOK, HIGH)):
@@ -269,12 +211,17 @@ class _Question:
         return Undecided("no point of the domain was found at which both sides are defined", ENGINE)
 
     def probes(self, count: int, precision: int = LOW, reach: int = REACH) -> Iterator[_Probe]:
-        points = sample_points(self.symbols, self.domain, count=count, reach=reach)
-        others = sample_points(self.others, count=count) if self.others else repeat(Sample())
-        for point, rest in zip(points, others, strict=False):
+        points = sample_points(self.names, self.domain, count=count, reach=reach)
+        others = sample_points(self.idle, Domain(self.domain.ranges), count=count)
+        for point, rest in zip(points, others if self.idle else repeat({}), strict=False):
             with ctx.workprec(precision):
                 values = [rational_ball(value) for value in (*point.values(), *rest.values())]
                 yield _Probe(point, *self.program.run(values))
+
+
+def _is_exact(condition: Condition, probes: list[_Probe]) -> bool:
+    """Whether the sides differ at just those points that miss the condition."""
+    return all(probe.differs == condition.is_missed_at(probe.point) for probe in probes)
 
 
 def _may_branch(term: Term) -> bool:

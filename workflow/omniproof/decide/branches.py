@@ -15,8 +15,18 @@ from math import prod
 
 import sympy as sp
 
+from omniproof.audit.exact import subtract
+from omniproof.audit.hypotheses import sign_under
+from omniproof.audit.quotient import OnBox
+from omniproof.audit.signs import sign_on
+from omniproof.audit.sympy_domain import converter_for, in_sympy
+from omniproof.decide import domain as decide
+from omniproof.decide.answer import Proved
+from omniproof.decide.balls import enclose
 from omniproof.decide.normal_form.form import NormalForm, Signs
+from omniproof.decide.sampling import Sample
 from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS, term_of
+from omniproof.formula.term import Term, symbols
 
 MOST_PARTS = 14
 MOST_TOGETHER = 3
@@ -40,6 +50,59 @@ class Condition:
         r"""Write the condition as LaTeX, parts joined by `\text{ and }`."""
         sign = ">" if self.strict else r"\geq"
         return r" \text{ and } ".join(f"{sp.latex(part)} {sign} 0" for part in self.parts)
+
+    def is_missed_at(self, point: Sample) -> bool:
+        """Whether a part is certainly negative at a point."""
+        return any(enclose(term_of(part), point) < 0 for part in self.parts)
+
+
+class Branches:
+    """The signs of parts of an equation, and the conditions that they make, in SymPy's words."""
+
+    def __init__(self, terms: tuple[Term, Term], domain: decide.Domain) -> None:
+        converter = converter_for(domain, set().union(*map(symbols, terms)))
+        self.difference = subtract(*map(converter.expression, terms))
+        self.domain = in_sympy(domain, converter)
+        self.positive = tuple(map(converter.expression, domain.positive))
+
+    def settle(self, form: NormalForm) -> None:
+        """Tell a normal form the signs that the domain gives to parts of the equation."""
+        for part in (*self.positive, *named_parts(self.difference)):
+            term = term_of(part)
+            pattern = form.sign_pattern(term)
+            own = sign_under(part, self.domain) if pattern and pattern[1] else None
+            if own:
+                form.presume(term, own)
+
+    def condition(self, form: NormalForm) -> Condition | None:
+        """Find the condition, without the parts of it that the domain settles."""
+        condition = find_condition(form, self.difference)
+        if condition is None:
+            return None
+        parts = (part for part in condition.parts if not self._is_positive(part))
+        return Condition(tuple(parts), condition.strict)
+
+    def _is_positive(self, part: sp.Expr) -> bool:
+        """Prove that a formula is positive everywhere in the domain."""
+        sides = {s: self.domain.intervals[s.name] for s in part.free_symbols if self._is_limited(s)}
+        rest = part.free_symbols - set(sides)
+        shifted = part.subs({symbol: self._shifted(symbol) for symbol in rest})
+        if not sides or rest:
+            return bool(sp.expand(shifted).is_nonnegative)
+        return isinstance(sign_on(OnBox(part, sides), 1), Proved)
+
+    def _is_limited(self, symbol: sp.Symbol) -> bool:
+        """Whether the domain of a symbol is bounded."""
+        lower, upper = self.domain.interval(symbol.name)
+        return lower != -sp.oo and upper != sp.oo
+
+    def _shifted(self, symbol: sp.Symbol) -> sp.Expr:
+        """Write a symbol that is bounded on one side by a positive one."""
+        lower, upper = self.domain.interval(symbol.name)
+        positive = sp.Symbol(symbol.name, positive=True)
+        if lower == -sp.oo:
+            return symbol if upper == sp.oo else upper - positive
+        return lower + positive
 
 
 @dataclass(frozen=True)

@@ -14,30 +14,32 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from typing import Any, TypeAlias
 
-import sympy as sp
 from mpmath import mp
 
-from omniproof.audit.digits import (
+from omniproof.decide.answer import (
+    Answer,
+    DisagreementError,
+    OnBranch,
+    Proved,
+    Refuted,
+    Undecided,
+    Witness,
+)
+from omniproof.decide.digits import (
     DIGITS,
-    Found,
     NotEvaluatedError,
     UndefinedError,
     Value,
     are_equal,
-    known_value,
+    number,
     value,
 )
-from omniproof.audit.sampling import sample_points
-from omniproof.audit.setting import Setting
-from omniproof.audit.statement import Link
-from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.zero_test import DisagreementError
-from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.domain import Domain
+from omniproof.decide.sampling import sample_points
+from omniproof.decide.statement import Link
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.evaluation import evaluate
 from omniproof.transcription import tree
 
 POINTS = 3
@@ -56,16 +58,12 @@ MOST_DIGITS = 2_000
 NOWHERE = "no point of the domain was found at which every printed part is defined"
 
 
-class Place(dict[Any, Any]):
-    """An exact number for each SymPy symbol; what is evaluated there is evaluated once."""
+class Place(dict[str, Any]):
+    """An exact number for each symbol, by name; what is evaluated there is evaluated once."""
 
-    def __init__(self, numbers: Mapping[Any, Any]) -> None:
+    def __init__(self, numbers: Mapping[str, Any]) -> None:
         super().__init__(numbers)
-        self.found: Found = {}
-
-    def value(self, known: Any) -> Value:
-        """Evaluate a SymPy expression or matrix; raises `UndefinedError` as `known_value` does."""
-        return known_value(known, self, found=self.found)
+        self.found: dict[tuple[Any, int], Value] = {}
 
     def once(self, key: object, evaluated: Callable[[], Value]) -> Value:
         """Return what is evaluated here, to the digits that are worked to, for a key."""
@@ -105,7 +103,7 @@ class Statement:
         return POINTS if all(sign == "=" for _, sign, _ in self.links) else IN_ORDER
 
     def _holds(self, place: Place) -> bool:
-        found = [_stands(link, place) for link in self.links]  # so that each has to have values
+        found = [stands(link, place) for link in self.links]  # so that each has to have values
         return all(found)
 
     def shown(self, place: Place) -> tuple[str, str, str]:
@@ -114,7 +112,7 @@ class Statement:
         They have as many digits as tell them apart.
         """
         with mp.workdps(self.digits):
-            failing = (link for link in self.links if not _stands(link, place))
+            failing = (link for link in self.links if not stands(link, place))
             left, operator, right = next(failing, self.links[0])
             values = left(place), right(place)
             pairs = ([_written(each, digits) for each in values] for digits in (4, 8, 16, 32))
@@ -123,7 +121,7 @@ class Statement:
             return one, operator, other
 
 
-def _stands(link: Sides, place: Place) -> bool:
+def stands(link: Sides, place: Place) -> bool:
     """Whether two values are in order; equal are those that are not told apart."""
     left, right = link[0](place), link[2](place)
     if are_equal(left, right):
@@ -178,7 +176,7 @@ def _at_its_witness(
         return answer
     for place in places():
         try:
-            moved = Place({s: there.get(s.name, x) for s, x in place.items()})
+            moved = Place({**place, **{name: there[name] for name in there.keys() & place.keys()}})
             if statement.holds(moved, expected=False):
                 raise _contradiction(answer, statement, moved)
             return answer
@@ -197,7 +195,7 @@ def _with_another_witness(
     for place in places:
         try:
             if not statement.holds(place, expected=False):
-                point = {symbol.name: str(x) for symbol, x in place.items()}
+                point = {name: str(x) for name, x in place.items()}
                 witness = Witness(point, *statement.shown(place)[::2])
                 return replace(answer, witness=witness)
             reason = "it was found to fail only where a printed part is not defined"
@@ -210,7 +208,7 @@ def _with_another_witness(
 
 def _contradiction(answer: Answer, statement: Statement, place: Place) -> DisagreementError:
     left, operator, right = statement.shown(place)
-    at = ", ".join(f"{symbol} = {x}" for symbol, x in place.items())
+    at = ", ".join(f"{name} = {x}" for name, x in place.items())
     where = f" at {at}" if at else ""
     engines = "+".join(answer.engines)
     told = f"left {operator} right with left = {left}, right = {right}"
@@ -221,7 +219,7 @@ def exact_place(witness: Witness) -> dict[str, Any] | None:
     """Read the point of a witness; None where it is no point of numbers."""
     try:
         return {
-            name: witness.exact[name] if name in witness.exact else sp.Rational(Fraction(text))
+            name: witness.exact[name] if name in witness.exact else Fraction(text)
             for name, text in witness.point.items()
         }
     except ValueError:
@@ -229,53 +227,39 @@ def exact_place(witness: Witness) -> dict[str, Any] | None:
 
 
 def _are_met(relations: Iterable[Any], place: Place) -> bool:
+    from omniproof.audit.sympy_digits import is_met
+
     try:
         return all(is_met(relation, place) for relation in relations)
     except UndefinedError:
         return False
 
 
-def is_met(condition: Any, place: Place) -> bool:
-    """Whether a SymPy condition holds at a place; raises `UndefinedError` where a side has none."""
-    if isinstance(condition, sp.And | sp.Or):
-        parts = [is_met(part, place) for part in condition.args]
-        return all(parts) if isinstance(condition, sp.And) else any(parts)
-    if condition in (sp.true, sp.false):
-        return bool(condition)
-    left, right = map(known_side, condition.args)
-    return _stands((left, _SIGNS[condition.rel_op], right), place)
-
-
-_SIGNS = {"==": "=", "!=": "\\neq", "<=": "\\leq", ">=": "\\geq", "<": "<", ">": ">"}
-
-
 def is_true(node: tree.Node, side: Callable[[tree.Node], Side], place: Place) -> bool:
     """Whether a printed condition holds at a place; `side` gives what evaluates its sides."""
     match node:
         case tree.Comparison():
-            return _stands((side(node.left), node.operator, side(node.right)), place)
+            return stands((side(node.left), node.operator, side(node.right)), place)
         case tree.Logic():
             parts = [is_true(part, side, place) for part in node.operands]
             return all(parts) if node.operator == "and" else any(parts)
     raise NotEvaluatedError(f"{type(node).__name__} is no condition")
 
 
-def places(symbols: Iterable[Any], domain: Domain) -> Iterator[Place]:
-    """Yield points of a domain with all symbols, in exact numbers; always the same."""
-    count = ALLOWED if domain.conditions else TRIES
-    for sample in sample_points(symbols, domain, count=count, seed=SEED):
-        yield Place({s: sp.Rational(int(x.p), int(x.q)) for s, x in sample.items()})
+def places(names: Iterable[str], domain: Domain) -> Iterator[Place]:
+    """Yield points of a domain with a number for each name; always the same."""
+    count = ALLOWED if domain.positive else TRIES
+    for sample in sample_points(names, domain, count=count, seed=SEED):
+        yield Place({name: Fraction(int(x.p), int(x.q)) for name, x in sample.items()})
 
 
-def known_side(known: Any) -> Side:
-    """Return what evaluates a SymPy expression or matrix at a place."""
-    return lambda place: place.value(known)
-
-
-def printed_side(node: tree.Node, known: Callable[[tree.Symbolic], Any]) -> Side:
+def printed_side(
+    node: tree.Node, known: Callable[[tree.Symbolic], Side], name: Callable[[str], str]
+) -> Side:
     """Return what evaluates a printed side at a place, at each once.
 
-    `known` gives what a symbol means, as a SymPy expression or matrix.
+    `known` gives what evaluates a symbol, and `name` what the symbol that an integral runs over is
+    called in places.
     """
     own = object()
 
@@ -283,8 +267,8 @@ def printed_side(node: tree.Node, known: Callable[[tree.Symbolic], Any]) -> Side
         def meaning(symbol: tree.Symbolic, bound: Mapping[str, Value]) -> Value:
             if symbol.name in bound:
                 return bound[symbol.name]
-            moved = {known(tree.Name(name)): x for name, x in bound.items()}
-            return (Place({**place, **moved}) if moved else place).value(known(symbol))
+            moved = {name(printed): x for printed, x in bound.items()}
+            return known(symbol)(Place({**place, **moved}) if moved else place)
 
         return value(node, meaning)
 
@@ -301,12 +285,16 @@ def entry_of(side: Side, index: tuple[int, int]) -> Side:
     return entry
 
 
-def heard_on(answer: Answer, part: Link, setting: Setting) -> Answer:
-    """Ask direct evaluation about an answer on a link of a printed statement."""
-    known = partial(evaluate, meanings=setting.meanings)
-    left, right = (entry_of(printed_side(side, known), part.index) for side in part.printed)
+def heard_on(answer: Answer, part: Link, names: Mapping[str, str], domain: Domain) -> Answer:
+    """Ask direct evaluation about an answer on a link; `names` are those of printed symbols."""
+
+    def known(symbol: tree.Symbolic) -> Side:
+        return lambda place: number(place[names[symbol.name]])
+
+    sides = (printed_side(side, known, names.__getitem__) for side in part.printed)
+    left, right = (entry_of(side, part.index) for side in sides)
     statement = Statement(((left, part.operator, right),), max(map(_digits_of, part.printed)))
-    return heard(answer, statement, lambda: places(setting.meanings.values(), setting.domain))
+    return heard(answer, statement, lambda: places(names.values(), domain))
 
 
 def _digits_of(node: tree.Node) -> int:

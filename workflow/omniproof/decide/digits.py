@@ -4,24 +4,17 @@ Nothing here rests on FLINT, on normal forms, on prime fields or on the floats o
 reader alone is shared. So where an engine and these digits disagree about two formulas, it is the
 engine that is wrong. The corpus, the mutation study and the fuzzing are judged by them. A value is
 a number, or an mpmath matrix.
-
-A function that nobody knows (a wheel speed over time) is given a polynomial all its own: what holds
-for every function holds for that one. Its slopes are small, so that roots of what it is a part of
-stay smooth about the range of an integral and the quadrature of Gauss and Legendre converges.
 """
 
 from __future__ import annotations
 
-import random
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache, partial, reduce
+from functools import partial, reduce
+from numbers import Rational
 from types import MappingProxyType
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, TypeAlias
 
-import sympy
 from mpmath import mp
-from sympy import Add, Integral, MatrixBase, Mul, S, Symbol, sympify
-from sympy.core.function import AppliedUndef
 
 from omniproof.formula.functions import FUNCTIONS as TABLE
 from omniproof.transcription import tree
@@ -29,7 +22,6 @@ from omniproof.transcription import tree
 Value: TypeAlias = Any
 Bound: TypeAlias = Mapping[str, Value]
 """Values of the variables of the integrals around a part, by their printed names."""
-Found: TypeAlias = dict[tuple[Any, int], Value]
 Meaning: TypeAlias = Callable[[tree.Symbolic, Bound], Value]
 DIGITS = 60
 LOST = 3
@@ -64,7 +56,7 @@ def value(node: tree.Node, meaning: Meaning, bound: Bound = MappingProxyType({})
     parts = [value(part, meaning, bound) for part in tree.children(node)]
     with mp.workdps(precision()):
         try:
-            return _real(_RULES[type(node)](node, parts))
+            return real(_RULES[type(node)](node, parts))
         except (ZeroDivisionError, ValueError, TypeError, IndexError) as error:
             raise UndefinedError(str(error)) from None
 
@@ -97,89 +89,13 @@ def integral(integrand: Callable[[Value], Value], lower: Value, upper: Value) ->
     raise NotEvaluatedError("the digits of an integral do not settle")
 
 
-class _At(NamedTuple):
-    """Where an expression is evaluated, and what has been `found` there, to how many digits."""
-
-    point: Mapping[Symbol, Any]
-    seed: int
-    found: Found
-
-
-def known_value(
-    known: Any, point: Mapping[Symbol, Any], seed: int = 0, found: Found | None = None
-) -> Value:
-    """Evaluate what a symbol stands for, an expression or a matrix, at a point of real numbers.
-
-    The polynomials of unknown functions are those of a seed. `found` keeps, from call to call, the
-    parts that have been evaluated at this point.
-    """
-    at = _At(point, seed, {} if found is None else found)
-    with mp.workdps(precision()):
-        if isinstance(known, MatrixBase):
-            return mp.matrix([[_digits(entry, at) for entry in row] for row in known.tolist()])
-        return _digits(sympify(known), at)
-
-
-def _digits(node: Any, at: _At) -> Value:
-    """Evaluate from the inside out, each part once."""
-    key = node, mp.dps
-    if key not in at.found:
-        at.found[key] = _evaluated(node, at)
-    return at.found[key]
-
-
-def _evaluated(node: Any, at: _At) -> Value:
-    """Evaluate the parts, and put them together; what mpmath has no rule for is left to SymPy."""
-    if node in at.point:
-        return _number(at.point[node])
-    if isinstance(node, Integral):
-        return _quadrature(node, at)
-    rule = _DERIVED.get(type(node))
-    if rule is None and not isinstance(node, AppliedUndef):
-        return _number(node) if node.is_Number else _by_sympy(node, at.point)
-    parts = [_digits(part, at) for part in node.args]
-    if rule is None:
-        return mp.polyval(_polynomial(str(node.func), at.seed), *parts)
-    return _real(rule(*parts))
-
-
-def _number(item: Any) -> Value:
+def number(item: Any) -> Value:
+    """Return a number of Python, mpmath or SymPy to the digits that are worked to."""
     if isinstance(item, mp.mpf):
         return item
-    item = sympify(item)
-    if item.is_Rational:
-        return mp.mpf(int(item.p)) / int(item.q)
+    if isinstance(item, Rational):
+        return mp.mpf(int(item.numerator)) / int(item.denominator)
     return mp.mpf(item.evalf(precision()))
-
-
-def _by_sympy(node: Any, point: Mapping[Symbol, Any]) -> Value:
-    found = node.evalf(precision(), subs=dict(point), maxn=400 + precision())
-    if found.is_Float or found.is_Rational:
-        return _number(found)
-    # Where SymPy gives up at `maxn` digits, it returns an expression: that may well be a number.
-    undefined = found.is_real is False or found is S.NaN
-    kind = UndefinedError if undefined else NotEvaluatedError
-    raise kind(f"no real value of {node}")
-
-
-def _quadrature(outer: Integral, at: _At) -> Value:
-    *inside, (variable, lower, upper) = outer.limits
-    integrand = Integral(outer.function, *inside) if inside else outer.function
-
-    def moved(x: Value) -> Value:
-        return _digits(integrand, _At({**at.point, variable: x}, at.seed, {}))
-
-    return integral(moved, *(_digits(end, at) for end in (lower, upper)))
-
-
-@cache
-def _polynomial(name: str, seed: int) -> tuple[Value, ...]:
-    """Coefficients of a quadratic that belongs to a name, the highest first; all are positive."""
-    generator = random.Random(f"{name}() {seed}")  # noqa: S311 - not secret
-    with mp.workdps(DIGITS):
-        parts = [mp.mpf(generator.randint(100, 2_900)) / generator.randint(1_001, 1_099)
-                 for _ in range(3)]  # fmt: skip
-        return parts[0] / 64, parts[1] / 8, parts[2]
 
 
 def are_equal(one: Value, other: Value) -> bool:
@@ -204,7 +120,8 @@ def _entries(item: Value) -> list[Value]:
     return list(item) if isinstance(item, mp.matrix) else [item]
 
 
-def _real(item: Value) -> Value:
+def real(item: Value) -> Value:
+    """Return a value; raises `UndefinedError` for one that is not real, or not finite."""
     if any(mp.im(entry) != 0 or not mp.isfinite(entry) for entry in _entries(item)):
         raise UndefinedError("no real value")
     return item
@@ -218,7 +135,8 @@ def _over(above: Value, below: Value) -> Value:
     return above / below
 
 
-def _power(base: Value, exponent: int) -> Value:
+def power(base: Value, exponent: int) -> Value:
+    """Return a whole power; raises `UndefinedError` for the inverse of 0."""
     if exponent >= 0:
         return base**exponent
     if isinstance(base, mp.matrix) and abs(mp.det(base)) <= _noise():
@@ -226,7 +144,7 @@ def _power(base: Value, exponent: int) -> Value:
     return base**exponent if isinstance(base, mp.matrix) else _over(mp.mpf(1), base) ** -exponent
 
 
-def _root(radicand: Value) -> Value:
+def root(radicand: Value) -> Value:
     """The root of what is not told from 0 is 0: half of its digits would be lost."""
     return mp.mpf(0) if abs(radicand) <= _noise() else mp.sqrt(radicand)
 
@@ -241,7 +159,8 @@ def _within_one(function: Callable[[Value], Value]) -> Callable[[Value], Value]:
     return rule
 
 
-def _angle(ordinate: Value, abscissa: Value) -> Value:
+def angle(ordinate: Value, abscissa: Value) -> Value:
+    """Return the direction of a point; raises `UndefinedError` for the origin."""
     if max(abs(ordinate), abs(abscissa)) <= _noise():
         raise UndefinedError("the origin has no direction")
     return mp.atan2(ordinate, abscissa)
@@ -249,9 +168,9 @@ def _angle(ordinate: Value, abscissa: Value) -> Value:
 
 def _to_the(base: Value, exponent: Value) -> Value:
     if mp.isint(exponent):
-        return _power(base, int(exponent))
+        return power(base, int(exponent))
     if mp.isint(2 * exponent):
-        return _power(_real(_root(base)), int(2 * exponent))
+        return power(real(root(base)), int(2 * exponent))
     return mp.power(base, exponent)
 
 
@@ -345,19 +264,10 @@ FUNCTIONS: dict[str, Callable[..., Value]] = {
     "tan": lambda x: _over(mp.sin(x), mp.cos(x)), "cot": lambda x: _over(mp.cos(x), mp.sin(x)),
     "sec": lambda x: _over(mp.mpf(1), mp.cos(x)), "csc": lambda x: _over(mp.mpf(1), mp.sin(x)),
     "arcsin": _within_one(mp.asin), "arccos": _within_one(mp.acos), "arctan": mp.atan,
-    "atan2": _angle, "sqrt": _root, "abs": abs, "sign": _sign, "exp": mp.exp, "log": _logarithm,
+    "atan2": angle, "sqrt": root, "abs": abs, "sign": _sign, "exp": mp.exp, "log": _logarithm,
     "sinh": mp.sinh, "cosh": mp.cosh, "tanh": mp.tanh, "max": max, "min": min, "power": _to_the,
 }  # fmt: skip
 """Every function of the table."""
-
-
-_DERIVED: dict[Any, Callable[..., Value]] = {
-    Add: lambda *parts: mp.fsum(parts),
-    Mul: lambda *parts: mp.fprod(parts),
-    type(sympy.pi): lambda: +mp.pi,
-    **{getattr(sympy, TABLE[name].sympy): function for name, function in FUNCTIONS.items()},
-}
-"""What derived expressions are made of."""
 
 _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Value]], Value]] = {
     tree.Number: lambda node, parts: mp.mpf(node.text),
@@ -369,13 +279,13 @@ _RULES: dict[type[tree.Node], Callable[[Any, Sequence[Value]], Value]] = {
     tree.Dot: lambda node, parts: _dot(*parts),
     tree.Cross: lambda node, parts: _cross(*parts),
     tree.Quotient: lambda node, parts: _over(*parts),
-    tree.Power: lambda node, parts: _power(parts[0], node.exponent),
+    tree.Power: lambda node, parts: power(parts[0], node.exponent),
     tree.Transpose: lambda node, parts: (
         parts[0] if isinstance(node.operand, tree.Tuple) else parts[0].T
     ),
     tree.Call: _call,
     tree.Inner: lambda node, parts: _inner(*parts),
-    tree.Norm: lambda node, parts: _root(sum(entry**2 for entry in _entries(parts[0]))),
+    tree.Norm: lambda node, parts: root(sum(entry**2 for entry in _entries(parts[0]))),
     tree.Absolute: lambda node, parts: abs(parts[0]),
     tree.Determinant: lambda node, parts: mp.det(_grid([[_column(part) for part in parts]])),
     tree.Component: _component,

@@ -7,15 +7,13 @@ verdict can then name the step and the entry that fails.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise, product
 from typing import Any, NoReturn, TypeAlias
 
-import sympy as sp
-
-from omniproof.audit.zero_test import Terms, both_terms
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.grid import Grid
+from omniproof.formula.term import Term
 from omniproof.transcription import tree
 from omniproof.transcription.tokens import LatexError
 
@@ -26,17 +24,15 @@ Evaluate: TypeAlias = Callable[[tree.Node], Any]
 class Link:
     """Two numbers and how they are said to be related; `place` names step and entry.
 
-    `printed` are the sides as they are printed, of which these are the entries at `index`; `terms`
-    are they, before SymPy had an idea of them.
+    `printed` are the sides as they are printed, of which these are the entries at `index`.
     """
 
-    left: sp.Expr
+    left: Term
     operator: str
-    right: sp.Expr
+    right: Term
     place: str = ""
     printed: tuple[tree.Node, ...] = ()
     index: tuple[int, int] = (0, 0)
-    terms: Terms | None = None
 
 
 @dataclass(frozen=True)
@@ -53,27 +49,16 @@ class _Step:
         return f" {self.operator} ".join(sides)
 
 
-def links(
-    node: tree.Node, value: Evaluate, text: str, unfolded: Evaluate | None = None
-) -> tuple[Link, ...]:
-    """Take a statement apart, in printed order; `value` gives the value of a side in SymPy.
+def links(node: tree.Node, value: Evaluate, text: str) -> tuple[Link, ...]:
+    """Take a statement apart, in printed order; `value` unfolds a side.
 
-    `unfolded` gives it in terms, for the engines that look at what is printed.
     Raises `LatexError` for what states nothing or has sides of different shapes, and
     `UnsupportedError` for statements that are not decided here.
     """
     steps = tuple(_steps(node, text))
     names = [f"`{step.source(text)}`" if len(steps) > 1 else "" for step in steps]
     named = zip(steps, names, strict=True)
-    found = tuple(link for step, name in named for link in _entries(step, name, value, text))
-    return found if unfolded is None else tuple(_with_terms(link, unfolded) for link in found)
-
-
-def _with_terms(link: Link, unfolded: Evaluate) -> Link:
-    row, column = link.index
-    sides = (unfolded(side) for side in link.printed)
-    left, right = (s.rows[row][column] if isinstance(s, Grid) else s for s in sides)
-    return replace(link, terms=both_terms(left, right))
+    return tuple(link for step, name in named for link in _entries(step, name, value, text))
 
 
 def _steps(node: tree.Node, text: str) -> Iterator[_Step]:
@@ -97,22 +82,23 @@ def _steps(node: tree.Node, text: str) -> Iterator[_Step]:
 
 def _entries(step: _Step, name: str, value: Evaluate, text: str) -> Iterator[Link]:
     left, right = value(step.left), value(step.right)
-    if not all(isinstance(side, sp.Expr | sp.MatrixBase) for side in (left, right)):
-        raise UnsupportedError("only numbers, vectors and matrices are compared here")
     printed = step.left, step.right
-    shapes: list[Any] = [getattr(side, "shape", ()) for side in (left, right)]
-    if shapes == [(), ()]:
+    if isinstance(left, Term) and isinstance(right, Term):
         yield Link(left, step.operator, right, name, printed)
         return
+    if not all(isinstance(side, Term | Grid) for side in (left, right)):
+        raise UnsupportedError("only numbers, vectors and matrices are compared here")
     whole = tree.Node(span=(step.left.span[0], step.right.span[1]))
     if step.operator != "=":
         _refuse(whole, text, "expected numbers, found a matrix", "compare entry by entry")
+    shapes: list[Any] = [getattr(side, "shape", ()) for side in (left, right)]
     if shapes[0] != shapes[1]:
         found = " and ".join(_shape(shape) for shape in shapes)
         _refuse(whole, text, f"expected sides of one shape, found {found}", "")
     for index, entry in _places(shapes[0]):
         place = f"{entry} of {name}" if name else entry
-        yield Link(left[index], step.operator, right[index], place, printed, index)
+        row, column = index
+        yield Link(left.rows[row][column], "=", right.rows[row][column], place, printed, index)
 
 
 def _places(shape: tuple[int, int]) -> Iterator[tuple[tuple[int, int], str]]:
