@@ -21,7 +21,8 @@ from omniproof.report.stylesheets import used_rules
 FONT = "mathfont.css"
 
 _FORMULA = re.compile(
-    r'(?P<open><(?P<tag>span|div) class="math [^>]*>\s*(?:<span class="eqno">.*?</span>)?)\s*'
+    r'(?P<open><(?P<tag>span|div) class="(?:output text_latex )?math [^>]*>'
+    r'\s*(?:<span class="eqno">.*?</span>)?)\s*'
     r"\\(?P<kind>[\[(])(?P<latex>.*?)\\[\])]\s*(?=</(?P=tag)>)",
     re.DOTALL,
 )
