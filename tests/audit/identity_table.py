@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 from sympy import Abs, Rational, cos, cot, csc, pi, sec, sin, sqrt, tan
 
-from omniproof.audit.sympy_domain import Domain
+from omniproof.decide.in_sympy.domain import Domain
 
 x, y, z = sp.symbols("x y z", real=True)
 a, b, c = sp.symbols("a b c", positive=True)

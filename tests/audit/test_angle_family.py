@@ -8,8 +8,8 @@ import pytest
 from sympy import And, Rational, oo, pi, symbols
 
 from omniproof.audit.angle_family import instance
-from omniproof.audit.sympy_domain import Domain
 from omniproof.decide.answer import Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.domain import Domain
 
 s, t = symbols("s t", real=True)
 

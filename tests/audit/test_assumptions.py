@@ -12,13 +12,13 @@ from sympy import Abs, And, Expr, Ne, Rational, Symbol, cos, pi, sin, sqrt, symb
 from sympy import false as sp_false
 
 from omniproof.audit import run
-from omniproof.audit.hypotheses import domain_of, sign_under
 from omniproof.audit.ledger import Row
 from omniproof.audit.relations import judge
-from omniproof.audit.sampling import sample_points
-from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.domain import REALS, Domain
+from omniproof.decide.in_sympy.equality import decide_equal
+from omniproof.decide.in_sympy.sampling import sample_points
+from omniproof.decide.order.hypotheses import domain_of, sign_under
 from omniproof.formula.errors import UnsupportedError
 from omniproof.registry import Curve, Family, Obligation, Ordered, Registry
 from omniproof.transcription.faults import BadInput

@@ -7,10 +7,10 @@ from flint import arb, ctx, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.balls import compile_balls, evaluate
-from omniproof.audit.sampling import sample_points
-from omniproof.audit.sympy_domain import Domain
 from omniproof.decide.balls import format_ball, rational_ball, sign_of
+from omniproof.decide.in_sympy.balls import compile_balls, evaluate
+from omniproof.decide.in_sympy.domain import Domain
+from omniproof.decide.in_sympy.sampling import sample_points
 from omniproof.formula.errors import UnsupportedError
 
 x, y = sp.symbols("x y", real=True)

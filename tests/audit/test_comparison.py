@@ -9,9 +9,9 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.comparison import compare
-from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.domain import REALS, Domain
+from omniproof.decide.order.comparison import compare
 
 x, y, A, B = sp.symbols("x y A B", real=True)
 p, q = sp.symbols("p q", positive=True)

@@ -9,10 +9,10 @@ import pytest
 from identity_table import BRANCH, ROWS, Row, x
 from sympy import Abs, Integer, StrictGreaterThan, cos, pi, sin
 
-from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.sympy_equality import confirmed_equal, decide_equal
 from omniproof.decide import balls, confirm, zero_test
 from omniproof.decide.answer import DisagreementError, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.domain import Domain
+from omniproof.decide.in_sympy.equality import confirmed_equal, decide_equal
 from omniproof.decide.prime_fields import point, zero
 from omniproof.decide.prime_fields.field import PrimeField
 from omniproof.decide.prime_fields.zero import Mixed, NonZero, Zero, vanishes

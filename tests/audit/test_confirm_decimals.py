@@ -8,11 +8,12 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit import confirm_decimals, decimals, enclosure
+from omniproof.audit import confirm_decimals, decimals
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import Rounding, format_fraction
 from omniproof.decide import balls
 from omniproof.decide.answer import DisagreementError, Undecided
+from omniproof.decide.order import enclosure
 from omniproof.decide.prime_fields.zero import NonZero
 
 pi, sqrt, cos, sin = sp.pi, sp.sqrt, sp.cos, sp.sin

@@ -8,12 +8,7 @@ import pytest
 import sympy as sp
 from sympy import Abs, Integer, Rational, Symbol, cos, pi, sin, sqrt, symbols
 
-from omniproof.audit import extrema, sign_chart, signs
-from omniproof.audit.comparison import compare
-from omniproof.audit.confirm_order import confirmed_order, region_of
-from omniproof.audit.positivity import Positive
 from omniproof.audit.relations import judge
-from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.answer import (
     Answer,
     DisagreementError,
@@ -23,6 +18,11 @@ from omniproof.decide.answer import (
     Undecided,
     Witness,
 )
+from omniproof.decide.in_sympy.domain import REALS, Domain
+from omniproof.decide.order import extrema, sign_chart, signs
+from omniproof.decide.order.comparison import compare
+from omniproof.decide.order.confirm_order import confirmed_order, region_of
+from omniproof.decide.order.positivity import Positive
 from omniproof.decide.z3 import order
 from omniproof.decide.z3.translation import Translation
 from omniproof.formula.sympy_terms import term_of

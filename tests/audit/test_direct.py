@@ -12,13 +12,14 @@ import sympy as sp
 import tiny_paper
 
 from omniproof.audit import check as checking
-from omniproof.audit import comparison, confirm_decimals, identities, judge, run
+from omniproof.audit import confirm_decimals, identities, judge, run
 from omniproof.audit.check import Finding, check
 from omniproof.audit.decimals import Rounding
 from omniproof.audit.readings import load_readings
 from omniproof.audit.setting import Assumptions
 from omniproof.decide.answer import DisagreementError, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.digits import UndefinedError, value
+from omniproof.decide.order import comparison
 from omniproof.registry import Relation, load_registry
 from omniproof.transcription.reader import read
 

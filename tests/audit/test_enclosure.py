@@ -8,7 +8,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.enclosure import enclose
+from omniproof.decide.order.enclosure import enclose
 
 x = sp.Symbol("x", real=True)
 half = sp.Rational(1, 2)

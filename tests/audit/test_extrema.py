@@ -6,8 +6,8 @@ import mpmath
 import pytest
 import sympy as sp
 
-from omniproof.audit.extrema import concave, prove_extremum, sign_on
 from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.order.extrema import concave, prove_extremum, sign_on
 from omniproof.registry import Family
 
 A, B, C, t = sp.symbols("A B C t", real=True)

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from omniproof.audit.counterexample import counterexample
-from omniproof.audit.integrals import flattened, without_integrals
-from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.counterexample import counterexample
+from omniproof.decide.in_sympy.domain import REALS, Domain
+from omniproof.decide.in_sympy.equality import confirmed_equal
+from omniproof.decide.in_sympy.integrals import flattened, without_integrals
 from omniproof.formula.errors import UnsupportedError
 
 t, s = sp.symbols("t s", real=True)

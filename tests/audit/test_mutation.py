@@ -12,9 +12,9 @@ from omniproof.audit import mutation
 from omniproof.audit.mutants import KINDS, Spelled, mutants
 from omniproof.audit.mutation import FLAGGED, Fate, originals, study
 from omniproof.audit.run import prepare_to_judge
-from omniproof.audit.sympy_digits import known_value
 from omniproof.decide import digits
 from omniproof.decide.answer import Proved, Refuted
+from omniproof.decide.in_sympy.digits import known_value
 from omniproof.formula.evaluation import evaluate
 from omniproof.repair.kinds import Edit, Repair
 from omniproof.repair.misprint import Mended

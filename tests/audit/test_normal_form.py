@@ -10,7 +10,7 @@ from flint import arb, ctx, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.exact import sign, vanishes
+from omniproof.decide.in_sympy.exact import sign, vanishes
 from omniproof.decide.normal_form.angles import CircleChart, TangentChart, read_angle
 from omniproof.decide.normal_form.constant_field import (
     ConstantField,

@@ -6,8 +6,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.ordering import compare, extreme_members, is_extreme, monotone
 from omniproof.decide.answer import Proved, Refuted, Undecided
+from omniproof.decide.order.ordering import compare, extreme_members, is_extreme, monotone
 from omniproof.formula.errors import UnsupportedError
 
 sqrt, pi = sp.sqrt, sp.pi

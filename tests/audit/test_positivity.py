@@ -7,10 +7,10 @@ from flint import arb, fmpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.box import Box, halves, hull
-from omniproof.audit.intervals import condition_latex, in_degrees, pieces_of
-from omniproof.audit.positivity import Negative, Open, Positive, prove_positive
-from omniproof.audit.sign_chart import Chart, recognise, sign_chart
+from omniproof.decide.order.box import Box, halves, hull
+from omniproof.decide.order.intervals import condition_latex, in_degrees, pieces_of
+from omniproof.decide.order.positivity import Negative, Open, Positive, prove_positive
+from omniproof.decide.order.sign_chart import Chart, recognise, sign_chart
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 

@@ -6,8 +6,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from identity_table import RADIUS, a, x, y
 
-from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide.answer import OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.equality import decide_equal
 from omniproof.decide.normal_form.survey import survey
 from omniproof.formula.sympy_terms import term_of
 

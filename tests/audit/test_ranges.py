@@ -3,7 +3,6 @@
 import pytest
 import sympy as sp
 
-from omniproof.audit.intervals import Piece
 from omniproof.audit.ranges import (
     POSITIVE,
     REAL_LINE,
@@ -16,6 +15,7 @@ from omniproof.audit.ranges import (
     show,
     stands_for,
 )
+from omniproof.decide.order.intervals import Piece
 
 Q = sp.Rational
 

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 
 from omniproof.audit.setting import Assumptions, settle
-from omniproof.audit.sympy_domain import in_sympy
+from omniproof.decide.in_sympy.domain import in_sympy
 from omniproof.formula.sympy_terms import Converter
 from omniproof.transcription.tokens import LatexError
 

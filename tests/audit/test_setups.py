@@ -8,7 +8,6 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from omniproof.audit.decimals import Rounding, format_fraction
-from omniproof.audit.intervals import Piece
 from omniproof.audit.ranges import POSITIVE, Reading, contains
 from omniproof.audit.setups import (
     Cell,
@@ -19,6 +18,7 @@ from omniproof.audit.setups import (
     solve,
 )
 from omniproof.decide.answer import Undecided
+from omniproof.decide.order.intervals import Piece
 
 V, r, w, x, y = sp.symbols("V r w x y", real=True)
 pi, sqrt, Q = sp.pi, sp.sqrt, sp.Rational

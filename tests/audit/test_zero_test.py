@@ -9,9 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from identity_table import BRANCH, ROWS, Row, x, y, z
 
-from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide.answer import DisagreementError, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.domain import Domain
+from omniproof.decide.in_sympy.equality import decide_equal
 from omniproof.decide.normal_form import angles, quotient_ring
 from omniproof.decide.normal_form.radicals import Extension
 

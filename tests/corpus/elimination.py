@@ -17,9 +17,9 @@ import sympy as sp
 from questions import ask
 
 from corpus import load
-from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide import zero_test
 from omniproof.decide.answer import Answer, Proved
+from omniproof.decide.in_sympy.equality import decide_equal
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, substitute
 from omniproof.transcription.symbols import symbol_name

@@ -14,10 +14,10 @@ from typing import Any
 import sympy as sp
 
 from corpus import Record
-from omniproof.audit.comparison import compare
-from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.sympy_equality import confirmed_equal, decide_equal
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.domain import Domain
+from omniproof.decide.in_sympy.equality import confirmed_equal, decide_equal
+from omniproof.decide.order.comparison import compare
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name

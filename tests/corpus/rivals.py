@@ -25,7 +25,7 @@ import symengine  # type: ignore[import-untyped]
 import sympy as sp
 from questions import Question, decision, verdict
 
-from omniproof.audit.sympy_domain import Domain
+from omniproof.decide.in_sympy.domain import Domain
 
 POPULATE_WRITE = 23  # MADV_POPULATE_WRITE of Linux
 CAN_OWN = ctypes.CDLL(None).madvise(None, ctypes.c_size_t(0), POPULATE_WRITE) == 0

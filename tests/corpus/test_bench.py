@@ -15,10 +15,10 @@ from elimination import direct, staged
 from questions import Question
 from rivals import CAN_OWN, EASY, SYSTEMS, Timed, timed
 
-from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide import zero_test
 from omniproof.decide.answer import Proved, Refuted
+from omniproof.decide.in_sympy.domain import Domain
+from omniproof.decide.in_sympy.equality import decide_equal
 from omniproof.formula.term import Symbol, add
 
 TINY = r"""

@@ -7,8 +7,8 @@ import pytest
 from questions import ask, decision
 
 from corpus import load
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import OnBranch, Refuted
+from omniproof.decide.in_sympy.equality import confirmed_equal
 
 
 @pytest.mark.slow

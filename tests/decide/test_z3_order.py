@@ -13,8 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Abs, Rational, cos, pi, sin, sqrt, tan
 
-from omniproof.audit.confirm_order import region_of
 from omniproof.decide.balls import enclose
+from omniproof.decide.order.confirm_order import region_of
 from omniproof.decide.z3 import order
 from omniproof.decide.z3.equation import NoAnswer
 from omniproof.decide.z3.order import STEPS, Nowhere, OrderAnswer, Region, Somewhere

@@ -12,12 +12,13 @@ import pytest
 import sympy as sp
 from mpmath import mp
 
-from omniproof.audit import counterexample, enclosure
+from omniproof.decide.in_sympy import counterexample
 from omniproof.audit.check import Finding, check
-from omniproof.audit.sympy_digits import known_value
 from omniproof.decide import balls, digits
 from omniproof.decide.balls import compile_balls, enclose, rational_ball
+from omniproof.decide.in_sympy.digits import known_value
 from omniproof.decide.normal_form import survey
+from omniproof.decide.order import enclosure
 from omniproof.decide.prime_fields import parts
 from omniproof.decide.z3 import translation
 from omniproof.formula.angle import circular

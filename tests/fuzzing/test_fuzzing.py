@@ -23,9 +23,9 @@ from mpmath import mp
 from sympy import Symbol
 
 from omniproof.audit.mutants import Spelled, mutants
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide import digits
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.equality import confirmed_equal
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.writers import latex

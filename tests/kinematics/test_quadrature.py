@@ -9,7 +9,7 @@ from flint import ctx
 from motion import driven, numeric
 from sympy import Abs, ImmutableMatrix, Rational, cos, exp, gamma, sin, sqrt, symbols
 
-from omniproof.audit.balls import evaluate
+from omniproof.decide.in_sympy.balls import evaluate
 from omniproof.formula.errors import UnsupportedError
 from omniproof.kinematics import quadrature, trajectory
 

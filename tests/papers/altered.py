@@ -12,7 +12,7 @@ import pytest
 from at_points import Point, digits, random_point
 from sympy import Expr, MatrixBase
 
-from omniproof.audit.integrals import without_integrals
+from omniproof.decide.in_sympy.integrals import without_integrals
 from omniproof.kinematics import rolling
 from omniproof.registry import Curve, Family, Fit, Modelled, Obligation, Ordered, Registry, Relation
 

@@ -5,8 +5,8 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from omniproof.audit.sympy_equality import decide_equal
 from omniproof.decide.answer import Proved
+from omniproof.decide.in_sympy.equality import decide_equal
 from omniproof.formula.evaluation import evaluate
 from omniproof.repair.edits import edits
 from omniproof.repair.likeness import likeness

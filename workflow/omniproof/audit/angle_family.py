@@ -15,8 +15,8 @@ from typing import Any
 from sympy import And, Expr, Symbol, ceiling, false, floor, ilcm, pi, true
 from sympy.logic.boolalg import Boolean
 
-from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided, Witness
+from omniproof.decide.in_sympy.domain import REALS, Domain
 
 ENGINE = ("exact",)
 TURN = 2 * pi

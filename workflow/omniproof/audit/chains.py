@@ -12,12 +12,12 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.exact import subtract
-from omniproof.audit.intervals import Piece, condition_latex, in_degrees
-from omniproof.audit.quotient import OnBox, Quotient
-from omniproof.audit.signs import OPEN, Closed, guarded, sign_on
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
+from omniproof.decide.in_sympy.exact import subtract
 from omniproof.decide.order.evident import is_evident
+from omniproof.decide.order.intervals import Piece, condition_latex, in_degrees
+from omniproof.decide.order.quotient import OnBox, Quotient
+from omniproof.decide.order.signs import OPEN, Closed, guarded, sign_on
 from omniproof.formula.sympy_terms import assumed_signs, term_of
 from omniproof.registry import Ordered
 

@@ -26,10 +26,10 @@ from omniproof.audit.decimals import (
     format_fraction,
     read_decimal,
 )
-from omniproof.audit.enclosure import enclose
-from omniproof.audit.sympy_digits import known_value
 from omniproof.decide.answer import DisagreementError, Undecided
 from omniproof.decide.digits import DIGITS, UndefinedError, are_equal
+from omniproof.decide.in_sympy.digits import known_value
+from omniproof.decide.order.enclosure import enclose
 from omniproof.decide.prime_fields.zero import NonZero, Zero, vanishes
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import number, subtract

@@ -10,12 +10,12 @@ from typing import Any
 
 from sympy import Gt, Lt, MatrixBase, Symbol
 
-from omniproof.audit.exact import sign, subtract
-from omniproof.audit.hypotheses import domain_of
 from omniproof.audit.printing import Spelling
 from omniproof.audit.readings import Read
-from omniproof.audit.sympy_domain import Domain, in_terms
 from omniproof.decide import domain as decide
+from omniproof.decide.in_sympy.domain import Domain, in_terms
+from omniproof.decide.in_sympy.exact import sign, subtract
+from omniproof.decide.order.hypotheses import domain_of
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import Function, Lifted, evaluate
 from omniproof.formula.monomials import is_plainly_zero

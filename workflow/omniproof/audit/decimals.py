@@ -14,12 +14,12 @@ from fractions import Fraction
 
 import sympy as sp
 
-from omniproof.audit.balls import evaluate
 from omniproof.audit.evidence import Interval
-from omniproof.audit.exact import sign, subtract
 from omniproof.audit.preimage import solve_for
 from omniproof.decide.answer import Undecided
 from omniproof.decide.balls import format_ball
+from omniproof.decide.in_sympy.balls import evaluate
+from omniproof.decide.in_sympy.exact import sign, subtract
 from omniproof.formula.errors import UnsupportedError
 
 __all__ = ["Decimal", "DecimalFinding", "Rounding", "classify", "read_decimal", "solve_for"]

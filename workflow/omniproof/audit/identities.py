@@ -14,10 +14,10 @@ from omniproof.audit.mending import mend_claim, repaired
 from omniproof.audit.own_text import same_by_name
 from omniproof.audit.relations import merge
 from omniproof.audit.rows import answered, start, with_note
-from omniproof.audit.sympy_equality import equal_to_derived
 from omniproof.audit.voice import Voice
 from omniproof.decide.answer import Answer, DisagreementError, Proved, Refuted
 from omniproof.decide.domain import REALS, Domain
+from omniproof.decide.in_sympy.equality import equal_to_derived
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, multiply
 from omniproof.formula.value import Value

@@ -10,13 +10,13 @@ from sympy import MatrixBase
 
 from omniproof.audit.context import Context, entries
 from omniproof.audit.evidence import Rival
-from omniproof.audit.hypotheses import with_box
 from omniproof.audit.ledger import Repair as Grade
 from omniproof.audit.ledger import Row
 from omniproof.audit.relations import merge
-from omniproof.audit.sympy_equality import equal_to_derived
 from omniproof.audit.voice import Box, Voice
 from omniproof.decide.answer import Proved
+from omniproof.decide.in_sympy.equality import equal_to_derived
+from omniproof.decide.order.hypotheses import with_box
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.repair.mend import mend

@@ -23,9 +23,6 @@ from omniproof.audit.context import Context, entries
 from omniproof.audit.mending import mend_claim
 from omniproof.audit.mutants import KINDS, Mutant, Spelled, mutants
 from omniproof.audit.run import prepare_to_judge
-from omniproof.audit.sympy_digits import known_value
-from omniproof.audit.sympy_domain import Domain
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.audit.voice import Voice
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted
 from omniproof.decide.digits import (
@@ -36,6 +33,9 @@ from omniproof.decide.digits import (
     are_equal,
     value,
 )
+from omniproof.decide.in_sympy.digits import known_value
+from omniproof.decide.in_sympy.domain import Domain
+from omniproof.decide.in_sympy.equality import confirmed_equal
 from omniproof.formula.evaluation import evaluate
 from omniproof.transcription.entries import entry_source
 from omniproof.transcription.model import Claim, Kind, Role

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from omniproof.audit import comparison
-from omniproof.audit.hypotheses import domain_of
-from omniproof.audit.sympy_domain import converter_for, in_sympy
 from omniproof.decide.answer import Answer
 from omniproof.decide.domain import Domain
+from omniproof.decide.in_sympy.domain import converter_for, in_sympy
+from omniproof.decide.order import comparison
+from omniproof.decide.order.hypotheses import domain_of
 from omniproof.formula.term import Term, symbols
 from omniproof.formula.where_defined import requirements
 

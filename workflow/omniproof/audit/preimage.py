@@ -15,12 +15,12 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import arb, ctx, fmpq
 
-from omniproof.audit.balls import compile_balls
-from omniproof.audit.box import halves, hull, middle
-from omniproof.audit.quotient import OnBox, Quotient
-from omniproof.audit.signs import denominator_sign
 from omniproof.decide.answer import Undecided
 from omniproof.decide.balls import Ball, Program, format_ball
+from omniproof.decide.in_sympy.balls import compile_balls
+from omniproof.decide.order.box import halves, hull, middle
+from omniproof.decide.order.quotient import OnBox, Quotient
+from omniproof.decide.order.signs import denominator_sign
 from omniproof.formula.errors import UnsupportedError
 
 ENGINE = ("flint",)

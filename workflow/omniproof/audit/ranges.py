@@ -15,13 +15,13 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.balls import evaluate
 from omniproof.audit.decimals import read_decimal
 from omniproof.audit.evidence import Range
-from omniproof.audit.exact import sign
-from omniproof.audit.intervals import Piece
-from omniproof.audit.ordering import compare
 from omniproof.decide.balls import format_ball
+from omniproof.decide.in_sympy.balls import evaluate
+from omniproof.decide.in_sympy.exact import sign
+from omniproof.decide.order.intervals import Piece
+from omniproof.decide.order.ordering import compare
 
 Pieces: TypeAlias = tuple[Piece, ...]
 """Disjoint intervals in ascending order."""

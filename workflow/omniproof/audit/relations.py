@@ -14,14 +14,14 @@ from typing import Any
 
 from sympy import Expr, Integer, latex
 
-from omniproof.audit import ordering
-from omniproof.audit.hypotheses import closed_ends, sign_under, with_box, within
-from omniproof.audit.sympy_digits import known_side, places_in
-from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide import direct
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.decide.direct import Place, Statement
+from omniproof.decide.in_sympy.digits import known_side, places_in
+from omniproof.decide.in_sympy.domain import REALS, Domain
+from omniproof.decide.in_sympy.equality import confirmed_equal
+from omniproof.decide.order import ordering
+from omniproof.decide.order.hypotheses import closed_ends, sign_under, with_box, within
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.value import Comparison
@@ -110,7 +110,7 @@ def _confirmed(answer: Answer, obligation: Obligation, domain: Domain) -> Answer
     links = tuple(_links(obligation))
     if not links:
         return answer
-    from omniproof.audit.confirm_order import confirmed_order, decided_by_algebra, region_of
+    from omniproof.decide.order.confirm_order import confirmed_order, decided_by_algebra, region_of
 
     box = getattr(obligation.subject, "box", {})
     unique = obligation.at if obligation.form in _EXTREMA else ()
@@ -195,7 +195,7 @@ def merge(*groups: Sequence[str]) -> tuple[str, ...]:
 
 
 def _judge_family(obligation: Obligation, family: Family, closed: Closed) -> Answer:
-    from omniproof.audit import extrema
+    from omniproof.decide.order import extrema
 
     form = obligation.form
     match form:

@@ -7,9 +7,9 @@ from functools import cache
 
 from omniproof.audit.definitions import definitions
 from omniproof.audit.setting import Assumptions, Setting
-from omniproof.audit.sympy_domain import in_sympy
 from omniproof.decide.answer import Witness
 from omniproof.decide.direct import exact_place
+from omniproof.decide.in_sympy.domain import in_sympy
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import Converter
 from omniproof.repair.mend import mend

@@ -18,12 +18,12 @@ from sympy.core.relational import Relational
 
 from omniproof.audit.context import Context
 from omniproof.audit.evidence import Counterexample
-from omniproof.audit.extrema import sign_on
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
-from omniproof.audit.sympy_domain import in_symbols
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
+from omniproof.decide.in_sympy.domain import in_symbols
+from omniproof.decide.in_sympy.equality import confirmed_equal
+from omniproof.decide.order.extrema import sign_on
 from omniproof.registry import Family
 from omniproof.transcription.model import Claim, Kind
 

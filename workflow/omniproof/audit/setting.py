@@ -79,7 +79,7 @@ class Setting:
     @cached_property
     def meanings(self) -> dict[str, Any]:
         """The same in SymPy, for what asks there."""
-        from omniproof.audit.sympy_domain import symbol_in
+        from omniproof.decide.in_sympy.domain import symbol_in
 
         return {printed: symbol_in(self.domain, name) for printed, name in self.names.items()}
 

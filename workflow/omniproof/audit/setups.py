@@ -26,8 +26,6 @@ import sympy as sp
 from omniproof.audit.confirm_decimals import confirmed_class
 from omniproof.audit.decimals import DecimalFinding, solve_for
 from omniproof.audit.evidence import Setup
-from omniproof.audit.exact import sign
-from omniproof.audit.intervals import Piece
 from omniproof.audit.preimage import MOST_CELLS, SMALLEST
 from omniproof.audit.ranges import (
     REAL_LINE,
@@ -44,6 +42,8 @@ from omniproof.audit.ranges import (
     stands_for,
 )
 from omniproof.decide.answer import Undecided
+from omniproof.decide.in_sympy.exact import sign
+from omniproof.decide.order.intervals import Piece
 from omniproof.formula.errors import UnsupportedError
 
 ENGINE = ("flint",)

@@ -18,13 +18,13 @@ from typing import Any, TypeGuard
 
 import sympy as sp
 
-from omniproof.audit.exact import sign
-from omniproof.audit.hypotheses import sign_under
-from omniproof.audit.signs import guarded
-from omniproof.audit.sympy_domain import REALS, Domain
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided
 from omniproof.decide.answer import Witness as Point
+from omniproof.decide.in_sympy.domain import REALS, Domain
+from omniproof.decide.in_sympy.equality import confirmed_equal
+from omniproof.decide.in_sympy.exact import sign
+from omniproof.decide.order.hypotheses import sign_under
+from omniproof.decide.order.signs import guarded
 from omniproof.formula.errors import UnsupportedError, WorkLimitError
 from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS
 from omniproof.registry import Curve

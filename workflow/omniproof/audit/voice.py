@@ -12,11 +12,11 @@ from mpmath import mp
 from sympy import Integral, ilcm
 
 from omniproof.audit.context import Context
-from omniproof.audit.hypotheses import with_box
-from omniproof.audit.sympy_digits import is_met, known_side, known_value, places_in
 from omniproof.decide.answer import Answer, Refuted, Witness
 from omniproof.decide.digits import DIGITS, Value, are_equal
 from omniproof.decide.direct import Place, Statement, entry_of, heard, is_true, printed_side
+from omniproof.decide.in_sympy.digits import is_met, known_side, known_value, places_in
+from omniproof.decide.order.hypotheses import with_box
 from omniproof.formula.evaluation import Function, evaluate
 from omniproof.transcription.tree import Name, Node, children
 

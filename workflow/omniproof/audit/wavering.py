@@ -15,8 +15,8 @@ from omniproof.audit.identities import count_faults, judge_identity
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.places import where
 from omniproof.audit.rows import with_note
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import Proved
+from omniproof.decide.in_sympy.equality import confirmed_equal
 from omniproof.transcription.ids import whole
 from omniproof.transcription.model import Claim, Kind
 from omniproof.transcription.tree import Chain, Name

@@ -15,15 +15,15 @@ from math import prod
 
 import sympy as sp
 
-from omniproof.audit.exact import subtract
-from omniproof.audit.hypotheses import sign_under
-from omniproof.audit.quotient import OnBox
-from omniproof.audit.signs import sign_on
-from omniproof.audit.sympy_domain import converter_for, in_sympy
 from omniproof.decide import domain as decide
 from omniproof.decide.answer import Proved
 from omniproof.decide.balls import enclose
+from omniproof.decide.in_sympy.domain import converter_for, in_sympy
+from omniproof.decide.in_sympy.exact import subtract
 from omniproof.decide.normal_form.form import NormalForm, Signs
+from omniproof.decide.order.hypotheses import sign_under
+from omniproof.decide.order.quotient import OnBox
+from omniproof.decide.order.signs import sign_on
 from omniproof.decide.sampling import Sample
 from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS, term_of
 from omniproof.formula.term import Term, symbols

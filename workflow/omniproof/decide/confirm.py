@@ -45,7 +45,7 @@ def confirmed_equal(
     Raises `DisagreementError` when an engine comes to another one.
     """
     if not (is_enclosed(printed) and is_enclosed(derived)):
-        from omniproof.audit.unknown_functions import in_symbols
+        from omniproof.decide.in_sympy.unknown_functions import in_symbols
 
         reduced = in_symbols(printed, derived, domain)
         if not isinstance(reduced, tuple):
@@ -73,7 +73,7 @@ def _confirmed(answer: Proved | Refuted | OnBranch, asked: Equation, enough: int
 def _both_sides(engine: str, answer: Proved | Refuted | OnBranch, asked: Equation) -> str:
     from sympy import sstr
 
-    from omniproof.audit.sympy_domain import converter_for
+    from omniproof.decide.in_sympy.domain import converter_for
 
     converter = converter_for(asked.domain, symbols(asked.left) | symbols(asked.right))
     sides = " = ".join(sstr(converter.expression(side)) for side in (asked.left, asked.right))

@@ -227,7 +227,7 @@ def exact_place(witness: Witness) -> dict[str, Any] | None:
 
 
 def _are_met(relations: Iterable[Any], place: Place) -> bool:
-    from omniproof.audit.sympy_digits import is_met
+    from omniproof.decide.in_sympy.digits import is_met
 
     try:
         return all(is_met(relation, place) for relation in relations)

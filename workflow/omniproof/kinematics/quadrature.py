@@ -19,8 +19,8 @@ from dataclasses import dataclass
 from flint import arb, arb_series, ctx
 from sympy import MatrixBase, Symbol
 
-from omniproof.audit.balls import compile_balls
 from omniproof.decide.balls import Ball, Program, rational_ball
+from omniproof.decide.in_sympy.balls import compile_balls
 from omniproof.kinematics.scalars import Scalar, exact
 
 ORDER = 16

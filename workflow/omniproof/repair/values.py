@@ -21,11 +21,11 @@ import numpy as np
 from numpy.typing import NDArray
 from sympy import Expr, MatrixBase, Symbol
 
-from omniproof.audit.balls import compile_balls
-from omniproof.audit.integrals import flattened
-from omniproof.audit.sampling import Sample, sample_points
-from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.balls import rational_ball
+from omniproof.decide.in_sympy.balls import compile_balls
+from omniproof.decide.in_sympy.domain import REALS, Domain
+from omniproof.decide.in_sympy.integrals import flattened
+from omniproof.decide.in_sympy.sampling import Sample, sample_points
 from omniproof.formula.functions import FUNCTIONS as TABLE
 from omniproof.transcription import tree
 

@@ -16,10 +16,10 @@ from sympy import Expr, MatrixBase
 
 from omniproof.audit.context import Context, flat
 from omniproof.audit.ledger import Ledger, Row, Verdict
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.corrected import ANSWERS, FUNCTIONS
 from omniproof.corrected.answer import Answer, Line
 from omniproof.decide.answer import Proved
+from omniproof.decide.in_sympy.equality import confirmed_equal
 from omniproof.formula.errors import UnsupportedError
 from omniproof.report.changes import changes
 from omniproof.report.groups import Group, groups, matrix_of

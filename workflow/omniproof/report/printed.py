@@ -22,8 +22,8 @@ from omniproof.audit.decimals import read_decimal
 from omniproof.audit.judge import judge_claim
 from omniproof.audit.ledger import Row, Verdict
 from omniproof.audit.run import choose_reading, open_to_judge
-from omniproof.audit.sympy_equality import confirmed_equal
 from omniproof.decide.answer import OnBranch, Proved, Refuted
+from omniproof.decide.in_sympy.equality import confirmed_equal
 from omniproof.registry import Fit
 from omniproof.report.fragments.base import Fragment, worst
 from omniproof.report.fragments.printed import printed_beside

@@ -12,11 +12,11 @@ from itertools import chain
 
 from sympy import Expr, ImmutableMatrix, Matrix, Rational, Symbol, cos, exp, pi, sin
 
-from omniproof.audit.balls import evaluate
 from omniproof.audit.ranges import Reading, show
 from omniproof.audit.setups import Cell, Solution, read_as, readings_left, solve
 from omniproof.decide.answer import Undecided
 from omniproof.decide.balls import format_ball
+from omniproof.decide.in_sympy.balls import evaluate
 from omniproof.kinematics import quadrature, trajectory
 from omniproof.kinematics.omni import wheel_matrix
 from omniproof.papers.omni_trajectory.setup import (

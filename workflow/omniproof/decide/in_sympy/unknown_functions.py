@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from omniproof.audit.counterexample import counterexample
-from omniproof.audit.integrals import without_integrals
-from omniproof.audit.sympy_domain import converter_for, in_sympy
 from omniproof.decide.answer import Refuted, Undecided
 from omniproof.decide.domain import Domain
+from omniproof.decide.in_sympy.counterexample import counterexample
+from omniproof.decide.in_sympy.domain import converter_for, in_sympy
+from omniproof.decide.in_sympy.integrals import without_integrals
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, symbols

@@ -18,11 +18,11 @@ from typing import Any
 import sympy as sp
 from flint import arb, ctx
 
-from omniproof.audit.balls import evaluate
-from omniproof.audit.box import Box
-from omniproof.audit.positivity import Positive, prove_positive
 from omniproof.decide.balls import Program, as_float, compile_balls
 from omniproof.decide.exact import sign
+from omniproof.decide.in_sympy.balls import evaluate
+from omniproof.decide.order.box import Box
+from omniproof.decide.order.positivity import Positive, prove_positive
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, negative, substitute

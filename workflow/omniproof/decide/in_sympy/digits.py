@@ -17,7 +17,6 @@ from mpmath import mp
 from sympy import Add, Integral, MatrixBase, Mul, S, Symbol, sympify
 from sympy.core.function import AppliedUndef
 
-from omniproof.audit.sympy_domain import Domain, in_terms
 from omniproof.decide.digits import (
     DIGITS,
     FUNCTIONS,
@@ -30,6 +29,7 @@ from omniproof.decide.digits import (
     real,
 )
 from omniproof.decide.direct import Place, Side, places, stands
+from omniproof.decide.in_sympy.domain import Domain, in_terms
 from omniproof.formula.functions import FUNCTIONS as TABLE
 
 Found: TypeAlias = dict[tuple[Any, int], Value]

@@ -14,13 +14,16 @@ from typing import Any, assert_never
 
 import sympy as sp
 
-from omniproof.audit.balls import exact_number
-from omniproof.audit.box import Box
-from omniproof.audit.exact import subtract, vanishes
-from omniproof.audit.positivity import Negative, Open, Positive, prove_positive
-from omniproof.audit.quotient import Family, OnBox, Quotient
-from omniproof.audit.sign_chart import recognise
-from omniproof.audit.signs import (
+from omniproof.decide.answer import Answer, Proved, Refuted, Undecided
+from omniproof.decide.balls import enclose, format_ball
+from omniproof.decide.exact import sign
+from omniproof.decide.in_sympy.balls import exact_number
+from omniproof.decide.in_sympy.exact import subtract, vanishes
+from omniproof.decide.order.box import Box
+from omniproof.decide.order.positivity import Negative, Open, Positive, prove_positive
+from omniproof.decide.order.quotient import Family, OnBox, Quotient
+from omniproof.decide.order.sign_chart import recognise
+from omniproof.decide.order.signs import (
     OPEN,
     Closed,
     concave,
@@ -31,9 +34,6 @@ from omniproof.audit.signs import (
     on_face,
     sign_on,
 )
-from omniproof.decide.answer import Answer, Proved, Refuted, Undecided
-from omniproof.decide.balls import enclose, format_ball
-from omniproof.decide.exact import sign
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, multiply, number
 from omniproof.formula.term import subtract as difference_of

@@ -9,16 +9,16 @@ from typing import Any, TypeAlias
 
 import sympy as sp
 
-from omniproof.audit.box import Box, middle
-from omniproof.audit.exact import sign, vanishes
-from omniproof.audit.intervals import Piece, condition_latex, in_degrees, pieces_of
-from omniproof.audit.positivity import Open, Positive, prove_positive
-from omniproof.audit.quotient import Family, OnBox, Quotient
-from omniproof.audit.sign_chart import Chart, recognise, sign_chart
 from omniproof.decide import exact
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import enclose, format_ball
+from omniproof.decide.in_sympy.exact import sign, vanishes
 from omniproof.decide.normal_form.form import normal_form
+from omniproof.decide.order.box import Box, middle
+from omniproof.decide.order.intervals import Piece, condition_latex, in_degrees, pieces_of
+from omniproof.decide.order.positivity import Open, Positive, prove_positive
+from omniproof.decide.order.quotient import Family, OnBox, Quotient
+from omniproof.decide.order.sign_chart import Chart, recognise, sign_chart
 from omniproof.formula.derivative import derivative
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of

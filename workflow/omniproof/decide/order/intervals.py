@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.sign_chart import Chart
+from omniproof.decide.order.sign_chart import Chart
 
 
 @dataclass(frozen=True)

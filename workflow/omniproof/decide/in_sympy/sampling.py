@@ -8,8 +8,8 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from omniproof.audit.sympy_domain import REALS, Domain, in_terms
 from omniproof.decide import sampling
+from omniproof.decide.in_sympy.domain import REALS, Domain, in_terms
 
 Sample = dict[sp.Symbol, fmpq]
 

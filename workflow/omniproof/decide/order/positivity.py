@@ -17,11 +17,11 @@ from typing import Any, TypeAlias
 
 from flint import arb, ctx, fmpq
 
-from omniproof.audit.balls import evaluate
-from omniproof.audit.box import Box, Cell, halves, hull, middle
-from omniproof.audit.exact import subtract, vanishes
 from omniproof.decide.balls import Ball, Program, compile_balls, sign_of
 from omniproof.decide.exact import sign
+from omniproof.decide.in_sympy.balls import evaluate
+from omniproof.decide.in_sympy.exact import subtract, vanishes
+from omniproof.decide.order.box import Box, Cell, halves, hull, middle
 from omniproof.formula.derivative import derivative
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of

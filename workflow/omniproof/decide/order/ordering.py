@@ -11,10 +11,10 @@ from itertools import pairwise
 
 import sympy as sp
 
-from omniproof.audit.balls import evaluate
-from omniproof.audit.exact import sign, subtract
 from omniproof.decide.answer import Answer, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import format_ball
+from omniproof.decide.in_sympy.balls import evaluate
+from omniproof.decide.in_sympy.exact import sign, subtract
 from omniproof.formula.errors import UnsupportedError
 
 ENGINE = ("flint",)

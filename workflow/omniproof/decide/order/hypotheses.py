@@ -18,11 +18,11 @@ from typing import Any
 import sympy as sp
 from sympy.core.relational import Relational
 
-from omniproof.audit.exact import sign, subtract
-from omniproof.audit.quotient import OnBox
-from omniproof.audit.signs import sign_on
-from omniproof.audit.sympy_domain import REAL_LINE, REALS, Domain
 from omniproof.decide.answer import Proved
+from omniproof.decide.in_sympy.domain import REAL_LINE, REALS, Domain
+from omniproof.decide.in_sympy.exact import sign, subtract
+from omniproof.decide.order.quotient import OnBox
+from omniproof.decide.order.signs import sign_on
 from omniproof.formula.errors import UnsupportedError
 
 MOST_ADDED = 3

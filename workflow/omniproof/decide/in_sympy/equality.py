@@ -6,11 +6,11 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from omniproof.audit.balls import exact_number
-from omniproof.audit.sympy_domain import REALS, Domain, in_symbols, in_terms
 from omniproof.decide import confirm, zero_test
 from omniproof.decide import domain as decide
 from omniproof.decide.answer import Answer, OnBranch, Undecided
+from omniproof.decide.in_sympy.balls import exact_number
+from omniproof.decide.in_sympy.domain import REALS, Domain, in_symbols, in_terms
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, multiply

@@ -14,9 +14,9 @@ from typing import Any, TypeAlias
 import sympy as sp
 from flint import arb, fmpq
 
-from omniproof.audit.balls import evaluate, exact_number
-from omniproof.audit.exact import sign, subtract
 from omniproof.decide.balls import Ball, as_float, rational_ball
+from omniproof.decide.in_sympy.balls import evaluate, exact_number
+from omniproof.decide.in_sympy.exact import sign, subtract
 from omniproof.formula.errors import UnsupportedError
 
 Side: TypeAlias = tuple[fmpq, fmpq]

@@ -6,8 +6,8 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.balls import exact_number
 from omniproof.decide import exact
+from omniproof.decide.in_sympy.balls import exact_number
 from omniproof.formula.sympy_terms import term_of
 
 

@@ -21,10 +21,10 @@ import sympy as sp
 from flint import acb, arb, ctx, fmpq
 from sympy.core.function import AppliedUndef
 
-from omniproof.audit.sampling import Sample, sample_points
-from omniproof.audit.sympy_domain import Domain
 from omniproof.decide.answer import Refuted, Witness
 from omniproof.decide.balls import format_ball
+from omniproof.decide.in_sympy.domain import Domain
+from omniproof.decide.in_sympy.sampling import Sample, sample_points
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import SYMPY_FUNCTIONS
 

@@ -13,14 +13,14 @@ from typing import Any, Protocol
 import sympy as sp
 from flint import fmpq
 
-from omniproof.audit.balls import compile_balls, exact_number
-from omniproof.audit.box import Box
-from omniproof.audit.sampling import sample_points
-from omniproof.audit.sympy_domain import Domain
 from omniproof.decide.answer import Witness
 from omniproof.decide.balls import enclose, format_ball, sign_of
 from omniproof.decide.exact import sign
+from omniproof.decide.in_sympy.balls import compile_balls, exact_number
+from omniproof.decide.in_sympy.domain import Domain
+from omniproof.decide.in_sympy.sampling import sample_points
 from omniproof.decide.normal_form.form import normal_form
+from omniproof.decide.order.box import Box
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import term_of
 from omniproof.formula.term import Term, divide, substitute

@@ -8,10 +8,10 @@ from typing import Any
 
 import sympy as sp
 
-from omniproof.audit.exact import subtract
 from omniproof.decide import domain as decide
 from omniproof.decide.answer import OnBranch
 from omniproof.decide.domain import Range
+from omniproof.decide.in_sympy.exact import subtract
 from omniproof.formula.sympy_terms import Converter, term_of
 
 REAL_LINE = (-sp.oo, sp.oo)

@@ -21,21 +21,21 @@ from typing import Any, TypeAlias
 import sympy as sp
 from sympy.core.relational import Relational
 
-from omniproof.audit.balls import exact_number
-from omniproof.audit.confirm_order import confirmed_order, region_of
-from omniproof.audit.exact import subtract
-from omniproof.audit.quotient import OnBox
-from omniproof.audit.sampling import sample_points
-from omniproof.audit.sign_chart import recognise
-from omniproof.audit.signs import guarded, not_on_faces, sign_on
-from omniproof.audit.sympy_domain import REALS, Domain
 from omniproof.decide.answer import Answer, OnBranch, Proved, Refuted, Undecided, Witness
 from omniproof.decide.balls import compile_balls, enclose, format_ball, rational_ball, sign_of
 from omniproof.decide.direct import NOWHERE
 from omniproof.decide.exact import sign
+from omniproof.decide.in_sympy.balls import exact_number
+from omniproof.decide.in_sympy.domain import REALS, Domain
+from omniproof.decide.in_sympy.exact import subtract
+from omniproof.decide.in_sympy.sampling import sample_points
 from omniproof.decide.normal_form.angles import read_angle
 from omniproof.decide.normal_form.form import normal_form
+from omniproof.decide.order.confirm_order import confirmed_order, region_of
 from omniproof.decide.order.evident import is_evident
+from omniproof.decide.order.quotient import OnBox
+from omniproof.decide.order.sign_chart import recognise
+from omniproof.decide.order.signs import guarded, not_on_faces, sign_on
 from omniproof.decide.z3.order import Nowhere, Region, Somewhere, find_point
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.sympy_terms import CIRCULAR_FUNCTIONS, positive_names, term_of

@@ -1,0 +1,1 @@
+"""The engines, asked about what derivations give: expressions of SymPy."""
