@@ -8,6 +8,7 @@ theorems and figures are read here, from the pages.
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Iterator
 from html import unescape
 from pathlib import Path
@@ -42,9 +43,10 @@ def replace_search(app: Sphinx) -> None:
 def pages(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
     """Give the page of the search, and write what it looks through beside the claims."""
     found = [place for name in sorted(app.env.found_docs) for place in _places(app, name)]
-    target = Path(app.outdir) / "_static" / INDEX
-    target.parent.mkdir(parents=True, exist_ok=True)
-    target.write_text(places_script(found), encoding="utf-8")
+    # Jupyter Book asks on every page for each script that lies in `_static` of the sources.
+    static = Path(app.outdir) / "_static"
+    shutil.copytree(Path(app.srcdir) / "_search", static, dirs_exist_ok=True)
+    (static / INDEX).write_text(places_script(found), encoding="utf-8")
     yield PAGE, {"title": "Search"}, "search.html"
 
 

@@ -55,10 +55,22 @@
     const closing = make("button", "Close", { type: "button" });
     closing.onclick = () => dialog.close();
     const foot = make("p", "");
+    const { reports } = window.PROJECT;
+    const where = () => {
+      const [title] = area.value.split("\n");
+      const names = reports.startsWith("mailto:") ? ["subject", "body"] : ["title", "body"];
+      return `${reports}?${names[0]}=${encodeURIComponent(title)}&${names[1]}=${encodeURIComponent(area.value)}`;
+    };
+    if (reports) {
+      const send = make("a", reports.startsWith("mailto:") ? "Write a mail" : "Open an issue", { href: where(), rel: "noreferrer" });
+      area.addEventListener("input", () => (send.href = where()));
+      foot.append(send);
+    }
     foot.append(copying, closing, status);
+    const cure = reports ? "send it" : "open an issue with it where you got the project";
     dialog.append(
       make("h2", "Dispute this verdict", { id: "dispute-title" }),
-      make("p", "Copy this text, complete it, and open an issue with it where you got the project."),
+      make("p", `Complete this text, and ${cure}. Nothing is sent before you do.`),
       area,
       foot,
     );

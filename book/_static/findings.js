@@ -39,7 +39,11 @@ addEventListener("DOMContentLoaded", () => {
     cell.append(button);
   }
   const names = ["paper", "verdict", "kind", "changes"];
-  const choices = Object.fromEntries(names.map((name) => [name, choice(name)]));
+  const show = {
+    options: [["faults", "faults"], ["", "faults, and remarks on wording and references"]],
+    passes: (row, value) => !value || !("trivial" in row.dataset),
+  };
+  const choices = { show, ...Object.fromEntries(names.map((name) => [name, choice(name)])) };
   const { form, update } = filters("filter the findings", "findings", rows, choices, () => {});
   list.closest(".wide").before(form);
   update();

@@ -54,13 +54,13 @@ _STILL = """async () => {
 # dark mode is about colours alone, and one of a kind has them all.
 _PLAIN = """(mode) => {
   const seen = {};
-  for (const e of document.querySelectorAll(".claims > *, .claim .claim, table tbody > tr")) {
+  for (const e of document.querySelectorAll(".rows tbody, table tbody > tr")) {
     if (!e.isConnected) continue;
     const kind = `${e.parentElement.parentElement.className} ${e.className}`;
     seen[kind] = (seen[kind] || 0) + 1;
     if (seen[kind] > (mode === "dark" ? 1 : 4)) e.remove();
   }
-  for (const e of document.querySelectorAll(".math, figure.drawn svg")) e.replaceChildren();
+  for (const e of document.querySelectorAll("figure.drawn svg")) e.replaceChildren();
   const still = document.createElement("style");
   still.textContent = "* { transition: none !important; }";
   document.head.append(still);

@@ -12,9 +12,9 @@ import shutil
 from built_report import BUILT, ROOT
 from playwright.sync_api import sync_playwright
 
-PAGE, CARD = "omni-arrangement.html", "eq-6-2-3"
+PAGE, ANSWER = "omni-arrangement.html", "#eq-6"
 WIDTH, SCALE = 680, 1.75
-HIDDEN = ".tools, .sbt-scroll-pixel-helper, .bd-header-article { display: none !important; }"
+HIDDEN = ".pastes, .answer .quiet, .bd-header-article { display: none !important; }"
 
 
 def take() -> None:
@@ -26,11 +26,9 @@ def take() -> None:
         page = browser.new_page(
             viewport={"width": WIDTH, "height": 1200}, device_scale_factor=SCALE
         )
-        page.goto(f"{BUILT.as_uri()}/{PAGE}#{CARD}")
-        page.add_style_tag(content=f"{HIDDEN} .claim:target {{ outline: none !important; }}")
-        page.locator("section.claim", has=page.locator(f"#{CARD}")).last.screenshot(
-            path=ROOT / "report.png"
-        )
+        page.goto(f"{BUILT.as_uri()}/{PAGE}")
+        page.add_style_tag(content=HIDDEN)
+        page.locator(ANSWER).screenshot(path=ROOT / "report.png")
         browser.close()
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from browser import DESK, leave_formulas
+from browser import DESK
 from built_report import BUILT, is_fresh
 from playwright.sync_api import Browser, Page
 
@@ -30,7 +30,6 @@ def built() -> Path:
 @pytest.fixture(scope="module")
 def searching(chromium: Browser, built: Path) -> Iterator[Page]:
     page = chromium.new_page(viewport={"width": DESK, "height": 900})
-    leave_formulas(page)
     yield page
     page.close()
 

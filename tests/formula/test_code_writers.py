@@ -214,3 +214,16 @@ def test_terms_of_derivations_are_written_as_well(expression: sp.Expr, expected:
     term = term_of(expression)
     assert writers.numpy(term) == expected
     assert writers.numpy(Grid.column((term, term))) == f"np.array([{expected}, {expected}])"
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        pytest.param(sp.cbrt(X), r"x^{\frac{1}{3}}", id="any power"),
+        pytest.param(sp.sin(X) ** Y, r"\sin(x)^y", id="a power of a function"),
+        pytest.param(-abs(X) / sp.sqrt(Y), r"-\frac{|x|}{\sqrt{y}}", id="size over root"),
+        pytest.param(sp.sign(X) * sp.log(Y), r"\ln(y) \operatorname{sgn}(x)", id="sign, logarithm"),
+    ],
+)
+def test_terms_are_written_as_latex(expression: sp.Expr, expected: str) -> None:
+    assert writers.latex(term_of(expression)) == expected

@@ -37,7 +37,7 @@ def test_a_line_of_a_page_is_that_of_the_file(site: Path, line: int) -> None:
 def test_every_paper_has_pages(site: Path, root: Path) -> None:
     """Every paper of the settings, however many there are, and nothing that is no paper."""
     papers = read_settings(Path("workflow/config.yaml"), root=root).papers
-    folders = {page.relative_to(site / "code" / "papers").parts[0] for page in site.rglob("*.html")}
+    folders = {page.parts[-3] for page in site.glob("code/papers/*/derivations/*.html")}
     assert folders == set(map(module_name, papers))
 
 

@@ -13,7 +13,7 @@ from omniproof.audit.ledger import Ledger, Row
 from omniproof.report.corrigendum import corrigendum, place
 from omniproof.report.corrigendum_pdf import pages, pdf, source
 from omniproof.report.fragments import Chapter
-from omniproof.report.fragments.overview import paper_html
+from omniproof.report.fragments.front import paper_html
 from omniproof.transcription.model import Edition
 
 EDITION = Edition(

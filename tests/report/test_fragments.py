@@ -12,7 +12,7 @@ from omniproof.report.fragments import Chapter, Overview, in_text, values
 from omniproof.report.fragments.base import results_folder
 from omniproof.report.fragments.claims import witness_html
 from omniproof.report.fragments.figures import About, figure_html
-from omniproof.report.fragments.overview import paper_html
+from omniproof.report.fragments.front import paper_html
 from omniproof.report.fragments.theorems import Step, Theorem, theorem_markdown
 from omniproof.transcription.model import Edition
 
@@ -142,7 +142,8 @@ def test_a_paper_is_named_with_edition_counts_and_verdicts(
         ),
     )
     text = outline(html).text
-    assert text.startswith(f"On <wheels>A. One, B. Two. {printed} 11 claims, 16 rows.✓ 7")
+    assert text.startswith("On <wheels>✓ 7 verified")
+    assert f"A. One, B. Two. {printed} 11 claims, 16 rows." in text
     assert outline(html).links == ["p.html", "corrigenda/p.pdf"]
 
 

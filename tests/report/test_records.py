@@ -61,7 +61,7 @@ def test_other_words_in_the_notes_change_no_fact(ledger: Ledger) -> None:
     facts, others = (
         (
             [[row.id for row in item.rows] for item in corrigendum(each, EDITION).contradictions],
-            Overview((each,), {}, ()).uncheckable().html,
+            Overview((each,), ()).uncheckable().html,
             table_csv([row for row in each.rows if row.kind is Kind.VALUE], {}),
         )
         for each in (ledger, other)

@@ -85,7 +85,7 @@ def test_list_names_every_paper_and_escapes(outline: type) -> None:
 
 
 def test_overview_links_to_the_chapter(overview: Overview, root: Path, outline: type) -> None:
-    whole = Overview(overview.ledgers, overview.theorems, root / "paper_data")
+    whole = Overview(overview.ledgers, overview.theorems, root / "results")
     page = outline(whole.assumptions().html)
     assert page.links == ["omni-arrangement.html", "omni-arrangement.html#eq-C-6"]
 

@@ -3,6 +3,7 @@ This part of the workflow makes the report of what was found, and checks it.
 
 REQUIRED INPUTS:
     pages    = book/*
+    citation = CITATION.cff
     chapters = results/notebooks/{chapter}.ipynb
     ledgers  = results/ledger/{paper}.json
     printed  = paper_data/{paper}/*
@@ -26,6 +27,7 @@ rule book:
     """Set the report"""
     input:
         pages=book_sources(),
+        citation="CITATION.cff",
         chapters=expand("results/notebooks/{chapter}.ipynb", chapter=settings.chapters),
         ledgers=ledgers_of(*settings.papers),
         table="results/ledger.csv",

@@ -3,6 +3,7 @@ This part of the workflow draws the figures of papers and topics from computed d
 
 REQUIRED INPUTS:
     drawings   = workflow/omniproof/papers/{paper}/figures*
+    printed    = paper_data/{paper}/*
     recordings = results/simulation/{model}/{case}.csv
 
 OUTPUTS:
@@ -20,6 +21,7 @@ for paper, made in settings.told.items():
             f"figures_{module_name(paper)}"
         input:
             drawings=paper_module(paper, "figures"),
+            printed=paper_data(paper) if paper in settings.papers else [],
             recordings=recordings_of(*made.models),
             package=package("report.drawing"),
         output:

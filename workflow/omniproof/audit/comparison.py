@@ -3,6 +3,9 @@ r"""Order between two formulas: `<`, `\leq`, `>`, `\geq`, `\neq`, wherever both 
 Points refute first. What they do not refute is proved on a box by branch and bound (`signs`), with
 one variable also on the whole line: a periodic function on a little more than a period, a rational
 one after x = a + t/(1 - t). Everything else is undecided, and says that a range would help.
+
+Values, signs and what z3 is asked come from the printed terms. Conditions, and the forms in which
+a proof is tried, are still SymPy's; such a form counts when it is proved to be what is printed.
 """
 
 from __future__ import annotations

@@ -1,4 +1,8 @@
-"""A function over a box as a quotient N/D of functions without poles."""
+"""A function over a box as a quotient N/D of functions without poles.
+
+SymPy proposes N and D, as it proposes factors; the normal form proves that N/D is what is printed,
+and only then do balls look at either.
+"""
 
 from __future__ import annotations
 

@@ -38,7 +38,9 @@ The paper on three rollers has no false formula, so it has no function.
 """
 
 ANSWERS: Mapping[str, Answers] = {
+    "ballbot": ballbot.ANSWERS,
     "omni-arrangement": omni_arrangement.ANSWERS,
     "omni-trajectory": omni_trajectory.ANSWERS,
+    "two-roller-sphere": two_roller_sphere.ANSWERS,
 }
 """Paper -> equation -> how its parts stand together; of others, they stand one after the other."""

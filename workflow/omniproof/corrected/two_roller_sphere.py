@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
+from omniproof.corrected.answer import Answer, Answers, Line
 from omniproof.corrected.formula import Array, Formula, Functions
 
 
@@ -44,4 +45,40 @@ FUNCTIONS: Functions = {
     "sec:2.1/sum": spin_about_roller_axis,
     "eq:26": slip_along_normal,
     "app:A/sum-of-squares": sum_of_squares,
+}
+
+ANSWERS: Answers = {
+    "eq:26": Answer(
+        "slip along the normal",
+        (
+            Line(
+                "<eq:26>",
+                function=slip_along_normal,
+                call="slip_along_normal(spin=-0.2, nu=0.3, alpha=0.5, r=0.2)",
+            ),
+        ),
+        "Slip is the speed of the sphere less that of the roller, as the next side has it.",
+    ),
+    "sec:2.1/sum": Answer(
+        "part of the spin about the roller's axis",
+        (
+            Line(
+                "<sec:2.1/sum>",
+                function=spin_about_roller_axis,
+                call="spin_about_roller_axis(nu=0.3, r=0.2)",
+            ),
+        ),
+        "The sphere turns the other way round than the roller, as Eq. (3) has it.",
+    ),
+    "app:A/sum-of-squares": Answer(
+        "what is made least",
+        (
+            Line(
+                "<app:A/sum-of-squares>",
+                function=sum_of_squares,
+                call="sum_of_squares(d_1=0.3, d_2=0.4)",
+            ),
+        ),
+        "One distance is to each of the two lines.",
+    ),
 }

@@ -193,8 +193,8 @@ class Equations:
         """Return what a line is worth, in the form that is printed or should be."""
         names = (*line.factors, line.per) if line.per else line.factors
         values = [self.value(name) for name in names]
-        if not values or any(value is None for value in values):
-            return None
+        if not values or any(value is None or value == 0 for value in values):
+            return None  # a side that is 0 by what the paper chooses is nothing to calculate with
         return Product(tuple(values[:-1]), values[-1]) if line.per else Product(tuple(values))
 
     def value(self, claim: str) -> Any:

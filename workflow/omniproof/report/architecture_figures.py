@@ -5,7 +5,7 @@ Data first, as for every figure: nodes by group and arrows by their ends, with p
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from pathlib import Path
 
@@ -58,7 +58,8 @@ def drawings(project: Path) -> tuple[Drawing, ...]:
             "modules",
             "Who knows whom",
             "Parts of the package; an arrow leads from a part to one that it imports. Read from "
-            f"the import statements. {implied}",
+            "the import statements; of two that import each other, the more frequent way is drawn. "
+            f"{implied}",
             lambda: imported,
             draw_graph,
             lambda frame: f"Boxes in rows, arrows only downwards: {_read_out(frame)}.",
@@ -72,7 +73,7 @@ def graph_data(graph: Graph) -> pd.DataFrame:
     x is measured in widths of a node, y in rows, upwards; z of an arrow is its weight. Arrows that
     others imply are data without bends.
     """
-    layout = laid_out(graph.groups, graph.arrows, WIDEST)
+    layout = laid_out(graph.groups, one_way(graph.arrows), WIDEST)
     places = {node: (x, -row) for node, (x, row) in layout.places.items()}
     nodes = (rows(graph.groups[node], node, [place]) for node, place in sorted(places.items()))
     return long_form(
@@ -88,6 +89,11 @@ def graph_data(graph: Graph) -> pd.DataFrame:
 def _arrow_rows(graph: Graph, pair: Arrow, path: tuple[tuple[float, int], ...]) -> Iterator[Row]:
     weight = graph.arrows[pair]
     yield from rows(DRAWN, TO.join(pair), [(x, -row, weight) for x, row in path])
+
+
+def one_way(arrows: Mapping[Arrow, int]) -> list[Arrow]:
+    """Return arrows without those that lead back: of two between the same nodes, the heavier."""
+    return [(a, b) for (a, b), weight in arrows.items() if (weight, b) > (arrows.get((b, a), 0), a)]
 
 
 @styled

@@ -21,6 +21,7 @@ from omniproof.report.code_pages import write_code
 from omniproof.report.findings import findings_csv, findings_json, findings_schema
 from omniproof.report.finish import finish
 from omniproof.report.fragments.rows import write_details
+from omniproof.report.project import project_script
 from omniproof.report.search_index import claims_script
 from omniproof.report.theme import stylesheet
 
@@ -52,9 +53,13 @@ def stage(book: Path, results: Path, papers: Path, source: Path) -> None:
     for notebook in notebooks:
         shutil.copyfile(notebook, source / notebook.name)
     ledgers = read_ledgers(results)
-    static = {"verdicts.css": stylesheet(), "search-claims.js": claims_script(ledgers, papers)}
-    for name, text in static.items():
-        (source / "_static" / name).write_text(text, encoding="utf-8")
+    written = {
+        "_static/verdicts.css": stylesheet(),
+        "_static/project.js": project_script(book.parent / "CITATION.cff"),
+        "_search/search-claims.js": claims_script(ledgers, papers),
+    }
+    for name, text in written.items():
+        (source / name).write_text(text, encoding="utf-8")
     _stage_data(results, ledgers, source / "extra")
     for bibliography in sorted(book.glob("*.bib")):
         shutil.copyfile(bibliography, source / "extra" / bibliography.name)

@@ -16,13 +16,16 @@ from pygments.lexers import PythonLexer
 import omniproof
 
 FOLDER = "code"
+SHOWN = ("papers/*/derivations/[!_]*.py", "papers/*/figures/[!_]*.py")
+"""What a card or a figure rests on."""
+
 PACKAGE = Path(omniproof.__file__).parent
 LIGHT, DARK = "a11y-high-contrast-light", "a11y-high-contrast-dark"
 
 
 def write_code(folder: Path) -> None:
-    """Write a page for every file of derivations below `folder / "code"`."""
-    for file in sorted(PACKAGE.glob("papers/*/derivations/[!_]*.py")):
+    """Write a page for every file of derivations and drawings below `folder / "code"`."""
+    for file in sorted(file for glob in SHOWN for file in PACKAGE.glob(glob)):
         name = file.relative_to(PACKAGE.parent).as_posix()
         page = folder / code_link(f"{name}:1").partition("#")[0]
         page.parent.mkdir(parents=True, exist_ok=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 from collections.abc import Iterable, Mapping
 from importlib import import_module
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pandas as pd
 
+from omniproof.report.code_pages import PACKAGE
 from omniproof.report.figure import Drawing
 from omniproof.report.svg import save_figure
 
@@ -50,6 +52,16 @@ def write_drawings(drawings: Iterable[Drawing], name: str, folder: Path, results
     (folder / "figures.json").write_text(text + "\n", encoding="utf-8")
 
 
+def source_of(drawing: Drawing) -> str:
+    """Return file and line of the function that draws: `omniproof/papers/a/figures/b.py:7`.
+
+    Nothing for a drawing of the project itself, whose code has no page.
+    """
+    code = inspect.unwrap(drawing.draw).__code__
+    file = Path(code.co_filename).resolve().relative_to(PACKAGE.parent.resolve()).as_posix()
+    return f"{file}:{code.co_firstlineno}" if "/papers/" in file else ""
+
+
 def _write(drawing: Drawing, frame: pd.DataFrame, stem: Path, prefix: str) -> dict[str, int | str]:
     """Write one figure; return what the book says of it. Ids in the picture start with `prefix`."""
     alt = drawing.describe(frame)
@@ -61,4 +73,5 @@ def _write(drawing: Drawing, frame: pd.DataFrame, stem: Path, prefix: str) -> di
         "title": drawing.title,
         "alt": alt,
         "caption": drawing.caption,
+        "source": source_of(drawing),
     }

@@ -21,7 +21,8 @@ from omniproof.report.stylesheets import used_rules
 FONT = "mathfont.css"
 
 _FORMULA = re.compile(
-    r'(?P<open><(?P<tag>span|div) class="math [^>]*>\s*(?:<span class="eqno">.*?</span>)?)\s*'
+    r'(?P<open><(?P<tag>span|div) class="(?:output text_latex )?math [^>]*>'
+    r'\s*(?:<span class="eqno">.*?</span>)?)\s*'
     r"\\(?P<kind>[\[(])(?P<latex>.*?)\\[\])]\s*(?=</(?P=tag)>)",
     re.DOTALL,
 )
@@ -39,7 +40,8 @@ _UNUSED_PARTS = re.compile(
 """Icons as a script, and extensions of Jupyter Book that no page uses."""
 
 _USED_BY = {
-    r"(?:rows|claims)\.js": '<div class="rows"',
+    r"(?:rows|claims|project)\.js": '<div class="rows"',
+    r"cite\.js": '<div class="rows"|class="copies"',
     r"answers\.js": '<div class="answers"',
     r"findings\.js": '<table class="audit findings',
     r"filters\.js": '<div class="rows"|<table class="audit findings',

@@ -1,7 +1,7 @@
 """What the search of the report looks through: every claim, in a script that works from disk.
 
 A text is kept once, as a reader would type it (`α₁`, not LaTeX); how it is cut into words and
-ranked is the business of `book/_static/search-words.js` and `search-rank.js`. Sections, theorems
+ranked is the business of `book/_search`. Sections, theorems
 and figures come from the pages themselves (`book/_ext/search.py`).
 """
 

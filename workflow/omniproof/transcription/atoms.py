@@ -14,7 +14,7 @@ from dataclasses import replace
 
 from omniproof.transcription.conventions import Names, Writing
 from omniproof.transcription.enclosed import EnclosedReader
-from omniproof.transcription.functions import COMMANDS, FUNCTIONS, INVERSES, WORDS
+from omniproof.transcription.functions import CIRCULAR, COMMANDS, FUNCTIONS, INVERSES, WORDS
 from omniproof.transcription.tokens import MAX_DEPTH, Cure, LatexError, Token
 from omniproof.transcription.tree import (
     Applied,
@@ -287,7 +287,8 @@ class AtomReader(EnclosedReader, ABC):
         exponent = self.exponent() if self.consume("^") else 1
         if exponent == -1:
             if name not in INVERSES:
-                self.refuse(f"no inverse of `{name}` is read", start, "write it by `\\arctan`")
+                cure = "write it by `\\arctan`" if name in CIRCULAR else "write what is meant"
+                self.refuse(f"no inverse of `{name}` is read", start, cure)
             name, exponent = INVERSES[name], 1
         self.called = start
         argument = self.argument(FUNCTIONS[name].latex.removeprefix("\\"))

@@ -245,6 +245,10 @@ def _power(page: _Layout, node: tree.Power, parts: Parts) -> Row:
 def _call(page: _Layout, node: tree.Call, parts: Parts) -> Row:
     if node.function == "sqrt":
         return (Box("root", parts=parts),)
+    if node.function == "power" and isinstance(node.argument, tree.Tuple):
+        base, exponent = node.argument.items
+        row = page.within(base, layout(base), ATOM)
+        return (Box("scripts", parts=(row, (), layout(exponent))),)
     head = _head(page, node)
     bracketed = page.source or isinstance(node.argument, tree.Tuple)
     return (Box("call", parts=(head, parts[0] if bracketed else (fence("(", parts[0], ")"),))),)

@@ -84,7 +84,8 @@ def _line(place: str, number: int, shown: Shown, href: Href) -> str:
     """Return a formula of a faulty equation: print, what it should be, why, and to paste."""
     tabs = _tabs(place, number, shown.pastes)
     if not shown.is_faulty:
-        return f"<details><summary>{_formula(shown.printed)}</summary>{tabs}</details>"
+        pasted = f"<details><summary>To paste</summary>{tabs}</details>"
+        return f"{_formula(shown.printed)}{pasted}"
     faults = [row for row in shown.rows if row.verdict.is_fault]
     facts = "".join(
         f"<div><dt>{term}</dt><dd>{html}</dd></div>" for term, html in _facts(faults, href) if html

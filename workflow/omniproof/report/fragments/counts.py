@@ -20,18 +20,26 @@ def verdict_counts(ledger: Ledger) -> Counter[Verdict]:
 
 
 def bar_html(ledger: Ledger) -> str:
-    """Return one paper's verdicts as a bar; every part names its verdict by shape and number."""
-    counts = verdict_counts(ledger)
-    parts, words = [], []
-    for verdict, mark in MARKS.items():
-        if counts[verdict]:
-            words.append(f"{counts[verdict]} {mark.word}")
-            parts.append(
-                f'<span class="v-{verdict}" style="flex-grow:{counts[verdict]}">'
-                f"{mark.shape} {counts[verdict]}</span>"
-            )
-    label = escape(f"{len(ledger.rows)} rows: {', '.join(words)}")
+    """Return one paper's verdicts as a bar, true to scale: no word in it widens a part."""
+    counts = dict(_counted(ledger))
+    parts = (
+        f'<span class="v-{verdict}" style="width:{100 * number / len(ledger.rows):.4f}%"></span>'
+        for verdict, number in counts.items()
+    )
+    words = ", ".join(f"{number} {MARKS[verdict].word}" for verdict, number in counts.items())
+    label = escape(f"{len(ledger.rows)} rows: {words}")
     return f'<div class="bar" role="img" aria-label="{label}">{"".join(parts)}</div>'
+
+
+def legend_html(ledger: Ledger) -> str:
+    """Return what a bar shows in words: shape, number and name of each verdict."""
+    items = (badge(verdict, str(number)) for verdict, number in _counted(ledger))
+    return f'<p class="legend">{" ".join(items)}</p>'
+
+
+def _counted(ledger: Ledger) -> list[tuple[Verdict, int]]:
+    counts = verdict_counts(ledger)
+    return [(verdict, counts[verdict]) for verdict in MARKS if counts[verdict]]
 
 
 def accounting_html(ledger: Ledger) -> str:

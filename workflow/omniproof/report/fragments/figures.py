@@ -8,6 +8,7 @@ from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict, TypeAdapter
 
+from omniproof.report.code_pages import code_link
 from omniproof.report.latexfmt import inline
 
 _DECIMALS = re.compile(r"-?\d+\.\d{3,}")
@@ -23,6 +24,7 @@ class About(BaseModel):
     title: str
     alt: str
     caption: str
+    source: str = ""
 
 
 _LIST = TypeAdapter(tuple[About, ...])
@@ -52,6 +54,8 @@ def figure_html(svg: str, about: About, address: str, data: str) -> str:
         f' <a href="{escape(data)}.{suffix}" title="{name}">{word}</a>'
         for suffix, word in (("svg", "SVG"), ("csv", "CSV"))
     )
+    if about.source:
+        links += f' <a href="{escape(code_link(about.source))}" title="{name}">script</a>'
     own = data.removeprefix("figures/").replace("/", "-")
     bare = _compact(_NOT_DRAWING.sub("", svg).strip(), f"{own}-")
     drawing = _labelled(_prefixed(bare, f"{address}-"), about)

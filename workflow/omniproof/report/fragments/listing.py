@@ -13,14 +13,17 @@ from omniproof.audit.ledger import Consequence, Row
 from omniproof.report.anchors import anchor
 from omniproof.report.findings import GRAVITY, REACH
 from omniproof.report.fragments.base import Href, badge, table
-from omniproof.report.fragments.rows import said_html
+from omniproof.report.fragments.rows import is_trivial, said_html
 from omniproof.report.theme import MARKS
 
 HEAD = ("paper", "place", "verdict", "kind", "changes", "finding")
 
 
 def listing_html(rows: Iterable[Row], href: Mapping[str, Href]) -> str:
-    """Return findings, given in order of place, as one table: by reach, then by gravity."""
+    """Return findings, given in order of place, as a table.
+
+    By reach; of one reach, faults before remarks on wording and references; then by gravity.
+    """
     placed = sorted(enumerate(rows), key=lambda found: _rank(found[1]))
     lines = [_line(place, row, href[row.paper]) for place, row in placed]
     if not lines:
@@ -38,8 +41,8 @@ def reach_of(row: Row) -> Consequence:
     return row.consequence or Consequence.TEXT
 
 
-def _rank(row: Row) -> tuple[int, int]:
-    return REACH.index(reach_of(row)), GRAVITY.index(row.verdict)
+def _rank(row: Row) -> tuple[int, bool, int]:
+    return REACH.index(reach_of(row)), is_trivial(row), GRAVITY.index(row.verdict)
 
 
 def _line(place: int, row: Row, href: Href) -> str:
@@ -52,7 +55,8 @@ def _line(place: int, row: Row, href: Href) -> str:
         _cell(reach, escape(reach), REACH.index(reach)),
         _cell("", said_html(row, href)),
     )
-    return f'<tr class="v-{row.verdict}">{"".join(cells)}</tr>'
+    trivial = " data-trivial" if is_trivial(row) else ""
+    return f'<tr class="v-{row.verdict}"{trivial}>{"".join(cells)}</tr>'
 
 
 def _cell(word: str, html: str, order: int | None = None) -> str:

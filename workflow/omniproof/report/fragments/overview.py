@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from html import escape
 from pathlib import Path
 
 from omniproof.audit.ledger import Consequence, Ledger, Row, Verdict, read_json
+from omniproof.corrected.answer import Line
 from omniproof.report.findings import REACH, findings, quoted
 from omniproof.report.fragments.addresses import Addresses
 from omniproof.report.fragments.assumptions import assumptions_html
@@ -16,21 +16,21 @@ from omniproof.report.fragments.base import (
     Fragment,
     Href,
     badge,
-    corrigendum_link,
     results_folder,
     table,
 )
-from omniproof.report.fragments.counts import bar_html, matrix_html, verdict_counts
+from omniproof.report.fragments.counts import matrix_html, verdict_counts
+from omniproof.report.fragments.edition import Change, edition_html
+from omniproof.report.fragments.figures import drawn_html
+from omniproof.report.fragments.front import check_words, paper_html, questions_html, told
 from omniproof.report.fragments.listing import listing_html, place_html, reach_of
 from omniproof.report.fragments.theorems import Theorem, read_theorems
 from omniproof.report.fragments.values import Value
 from omniproof.report.latexfmt import inline
-from omniproof.report.prose import numbers_in
 from omniproof.settings import read_settings
 from omniproof.transcription.model import Edition, Source, Uncheckable
 from omniproof.transcription.paperfile import load_document
 
-_MATH = re.compile(r"\$[^$]*\$")
 DECIDED_BY: Mapping[str, str] = {
     Uncheckable.FIGURE_NOT_SEEN: "a look at the figure in the PDF",
     Uncheckable.SOURCE_LOST: "the place in the PDF, which text recognition lost",
@@ -44,10 +44,11 @@ class Overview:
     """All papers at once; links lead to the chapters."""
 
     def __init__(
-        self, ledgers: Iterable[Ledger], theorems: Iterable[Theorem], papers: Path = Path()
+        self, ledgers: Iterable[Ledger], theorems: Iterable[Theorem], results: Path = Path()
     ) -> None:
         self.ledgers = tuple(ledgers)
-        self.papers_folder = papers
+        self.results = results
+        self.papers_folder = results.parent / "paper_data"
         self.theorems = tuple(theorems)
         self._addresses = {ledger.paper: Addresses(ledger) for ledger in self.ledgers}
 
@@ -57,15 +58,35 @@ class Overview:
         folder = results or results_folder()
         ledgers = [read_json(path) for path in sorted((folder / "ledger").glob("*.json"))]
         ordered = _in_order_of_book(ledgers, folder.parent)
-        return cls(ordered, read_theorems(folder / "theorems.json"), folder.parent / "paper_data")
+        return cls(ordered, read_theorems(folder / "theorems.json"), folder)
 
-    def papers(self) -> Fragment:
-        """Show every paper: title, authors, edition, and its verdicts as a bar."""
+    def papers(self, told: Mapping[str, str] | None = None) -> Fragment:
+        """Show every paper: title, authors, edition, and its verdicts as a bar.
+
+        told: by paper a sentence on what came of it, see `front.told`.
+        """
         cards = (
-            paper_html(ledger, read_edition(self.papers_folder / ledger.paper))
+            paper_html(
+                ledger,
+                read_edition(self.papers_folder / ledger.paper),
+                self._told(ledger.paper, told[ledger.paper]) if told else "",
+            )
             for ledger in self.ledgers
         )
         return Fragment(f'<div class="papers">{"".join(cards)}</div>', "papers")
+
+    def questions(self, asked: Mapping[str, str | tuple[str, Line]]) -> Fragment:
+        """Show questions with the right formula to copy, see `front.questions_html`."""
+        return Fragment(questions_html(asked, self.ledgers), "questions")
+
+    def picture(self, claim: str, drawing: str) -> Fragment:
+        """Show a drawing of what a finding (`omni-arrangement eq:6[2,3]`) does.
+
+        Raises `ValueError` when it is no finding.
+        """
+        row = self._finding(claim)
+        html = drawn_html(self.results, row.paper, drawing, f"figure-{drawing}")
+        return Fragment(html, f"figure {drawing}")
 
     def sources(self) -> Fragment:
         """Show which text of every paper was read, with the checksum of its file."""
@@ -107,8 +128,7 @@ class Overview:
         `{correct}` stand for what the ledger has. Raises `ValueError` for what is no finding, or
         would be no charge against the paper, and for a number that is typed.
         """
-        rows = {f"{r.paper} {r.id}": r for r in self._all_findings() if r.source is Source.CLEAR}
-        items = "".join(_headline(rows.get(key), key, words) for key, words in chosen.items())
+        items = "".join(_headline(self._finding(key), key, words) for key, words in chosen.items())
         return Fragment(f'<ol class="headlines">{items}</ol>', "findings that matter most")
 
     def uncheckable(self) -> Fragment:
@@ -122,6 +142,11 @@ class Overview:
             if counts[name]
         )
         return Fragment(table(["class", "rows", "decided by"], rows), "uncheckable by class")
+
+    def edition(self, changes: Iterable[Change]) -> Fragment:
+        """Show which verdicts are others than in the first edition."""
+        links = {ledger.paper: self._href(ledger.paper) for ledger in self.ledgers}
+        return Fragment(edition_html(changes, links), "changes since the first edition")
 
     def assumptions(self) -> Fragment:
         """Show what each paper assumes and does not state, with the claims that need it."""
@@ -147,6 +172,16 @@ class Overview:
         rows = (row for row in self._all_findings() if row.source is not Source.CLEAR)
         return self._listed(rows, "doubtful findings")
 
+    def _told(self, paper: str, words: str) -> str:
+        return told(paper, words, lambda claim: self._finding(f"{paper} {claim}"))
+
+    def _finding(self, key: str) -> Row:
+        """Return a finding by paper and id. Raises `ValueError` when there is none."""
+        for row in self._all_findings():
+            if key == f"{row.paper} {row.id}" and row.source is Source.CLEAR:
+                return row
+        raise ValueError(f"{key} is no finding whose source is clear")
+
     def _all_findings(self) -> Iterator[Row]:
         return (row for ledger in self.ledgers for row in findings(ledger))
 
@@ -171,18 +206,6 @@ def read_edition(folder: Path) -> Edition:
     return Edition.model_validate(document["edition"] if isinstance(document, dict) else None)
 
 
-def paper_html(ledger: Ledger, edition: Edition) -> str:
-    """Return one paper's title (a link to its chapter), authors, venue and verdicts."""
-    venue = ", ".join(str(part) for part in (edition.venue, edition.year) if part)
-    about = f"{', '.join(edition.authors)}. {venue[:1].upper()}{venue[1:]}."
-    numbers = f"{ledger.claims} claims, {len(ledger.rows)} rows."
-    return (
-        f'<section class="paper"><p>{_titled(ledger.paper, edition)}<br>'
-        f'<span class="quiet">{escape(about)} {numbers}</span></p>{bar_html(ledger)}'
-        f'<p class="quiet">{corrigendum_link(ledger.paper)}</p></section>'
-    )
-
-
 def _in_order_of_book(ledgers: Iterable[Ledger], project: Path) -> list[Ledger]:
     """Put ledgers into the order of the configuration, others behind; without one, as they are."""
     config = project / "workflow" / "config.yaml"
@@ -195,13 +218,9 @@ def _titled(paper: str, edition: Edition) -> str:
     return f'<a href="{escape(paper)}.html"><cite>{escape(edition.title)}</cite></a>'
 
 
-def _headline(row: Row | None, key: str, words: str) -> str:
+def _headline(row: Row, key: str, words: str) -> str:
     """Return one finding as an item of a list: the sentence, the verdict, the place."""
-    if row is None:
-        raise ValueError(f"{key} is no finding whose source is clear")
-    typed = [*numbers_in(_MATH.sub("", words))]
-    if typed:
-        raise ValueError(f"{key}: write {{printed}} or {{correct}} for {', '.join(typed)}")
+    check_words(key, words)
     correct = quoted(row.correction or row.assumption or row.derived)
     said = words.replace("{printed}", quoted(row.printed)).replace("{correct}", correct)
     place = f'{place_html(row)} <span class="quiet">in {escape(row.paper)}</span>'
