@@ -14,7 +14,7 @@ import sympy as sp
 from mpmath import mp
 from test_code_writers import close, pasted
 
-from omniproof.audit import digits
+from omniproof.decide import digits
 from omniproof.formula import writers
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.writers.identifiers import identifier

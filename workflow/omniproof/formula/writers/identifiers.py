@@ -7,7 +7,6 @@ import re
 
 LIBRARIES = frozenset({"np", "sp"})
 """Names that code of ours is written with."""
-_WORD = re.compile(r"\\(\w)(?:athrm|athbf)\{(.*?)\}")
 _ACCENT = re.compile(r"\\([a-z]+)\{([^{}]*)\}")
 _SEPARATORS = re.compile(r"[^A-Za-z0-9]+")
 
