@@ -12,10 +12,10 @@ import pytest
 import sympy as sp
 from mpmath import mp
 
-from omniproof.decide.in_sympy import counterexample
 from omniproof.audit.check import Finding, check
 from omniproof.decide import balls, digits
 from omniproof.decide.balls import compile_balls, enclose, rational_ball
+from omniproof.decide.in_sympy import counterexample
 from omniproof.decide.in_sympy.digits import known_value
 from omniproof.decide.normal_form import survey
 from omniproof.decide.order import enclosure
