@@ -128,12 +128,38 @@ def test_a_fault_is_graver_than_a_condition():
         pytest.param(r"x^2 < x^2 + 1, \sin x < x^2 + \frac{9}{10}",
                      r"not decided in `\sin x < x^2 + \frac{9}{10}`: no proof was found without a "
                      "bounded range for each symbol", id="one of two"),
+        pytest.param(r"\ln(xy) = \ln x + \ln y",
+                     "not decided: no point shows a difference, but no proof was found",
+                     id="true, and beyond the engines"),
     ],
 )  # fmt: skip
 def test_undecided(text, message):
     found = check(text)
     assert (found.verdict, found.message) == (Finding.UNDECIDED, message)
     assert (found.witness, found.condition, found.repairs) == (None, "", ())
+
+
+@pytest.mark.parametrize(
+    "zero",
+    [
+        pytest.param(r"\sin(\sqrt{0})", id="of a number"),
+        pytest.param(r"(\sqrt{2}\sqrt{3} - \sqrt{6})", id="of roots"),
+        pytest.param(r"(\sin^2 x + \cos^2 x - 1)", id="of an angle"),
+        pytest.param(r"(|x|^2 - x^2)", id="of an absolute value"),
+    ],
+)
+@pytest.mark.parametrize(
+    "text",
+    [
+        pytest.param(r"ZERO = \frac{ZERO^2}{ZERO}", id="equal where the quotient is cancelled"),
+        pytest.param(r"2 = \frac{1}{ZERO}", id="a pole"),
+        pytest.param(r"x + \frac{1}{ZERO} = x + 1 + \frac{1}{ZERO}", id="a pole on both sides"),
+        pytest.param(r"\sqrt{ZERO - 1}^2 = 1", id="the root of a negative number"),
+    ],
+)
+def test_what_is_defined_nowhere_is_neither_true_nor_false(text, zero):
+    found = check(text.replace("ZERO", zero))
+    assert (found.verdict, found.witness) == (Finding.UNDECIDED, None)
 
 
 @pytest.mark.parametrize(

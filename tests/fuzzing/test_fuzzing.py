@@ -29,10 +29,11 @@ from omniproof.decide.in_sympy.equality import confirmed_equal
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
 from omniproof.formula.writers import latex
+from omniproof.repair.in_sympy import at_points
 from omniproof.repair.kinds import Repair
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Misprint
-from omniproof.repair.values import Values, at_points
+from omniproof.repair.values import Values
 from omniproof.transcription import tree
 from omniproof.transcription.reader import read
 from omniproof.transcription.symbols import symbol_name

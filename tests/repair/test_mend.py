@@ -9,10 +9,11 @@ from omniproof.decide.answer import Proved
 from omniproof.decide.in_sympy.equality import decide_equal
 from omniproof.formula.evaluation import evaluate
 from omniproof.repair.edits import edits
+from omniproof.repair.in_sympy import at_points
 from omniproof.repair.likeness import likeness
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Misprint
-from omniproof.repair.values import POINTS, agree, at_points
+from omniproof.repair.values import POINTS, agree
 from omniproof.repair.values import evaluate as evaluate_roughly
 from omniproof.transcription.model import Notation
 from omniproof.transcription.reader import read

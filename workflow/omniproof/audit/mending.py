@@ -19,9 +19,10 @@ from omniproof.decide.in_sympy.equality import equal_to_derived
 from omniproof.decide.order.hypotheses import with_box
 from omniproof.formula.errors import UnsupportedError
 from omniproof.formula.evaluation import evaluate
+from omniproof.repair.in_sympy import at_points
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Mended, Misprint
-from omniproof.repair.values import UNTOLD, Values, at_points
+from omniproof.repair.values import UNTOLD, Values
 from omniproof.transcription.model import Claim, Form, Role
 from omniproof.transcription.reader import read_with
 from omniproof.transcription.symbols import symbol_name

@@ -9,9 +9,7 @@ from omniproof.audit.definitions import definitions
 from omniproof.audit.setting import Assumptions, Setting
 from omniproof.decide.answer import Witness
 from omniproof.decide.direct import exact_place
-from omniproof.decide.in_sympy.domain import in_sympy
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.sympy_terms import Converter
 from omniproof.repair.mend import mend
 from omniproof.repair.misprint import Mended, Misprint
 from omniproof.repair.values import Values, at_points
@@ -31,7 +29,6 @@ def remedies(
     `proved` names the engines that prove an edited text; at `witness` the printed one is false.
     """
     at = exact_place(witness) if witness else None
-    domain = in_sympy(setting.domain, Converter())
 
     def judged(text: str) -> tree.Node:
         rest = definitions(assumptions.read(text)).rest
@@ -41,9 +38,9 @@ def remedies(
 
     @cache
     def meaning(symbol: tree.Symbolic) -> Values:
-        known = setting.meanings[symbol.name]
+        known = setting.letters[symbol.name]
         try:
-            values = at_points(known, domain)
+            values = at_points(known, setting.domain)
         except UnsupportedError:
             raise KeyError(symbol.name) from None
         # A relation may fail at few points: the witness is one of them.
@@ -51,5 +48,5 @@ def remedies(
             values[0] = float(at[known.name])
         return values
 
-    words = tuple(sorted(setting.meanings))
+    words = tuple(sorted(setting.letters))
     return mend(Misprint(printed, judged, assumptions.read, proved, meaning, words=words))

@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
 from difflib import get_close_matches
 from functools import cached_property
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from omniproof.decide.domain import REAL_LINE, Domain, Range
 from omniproof.decide.exact import sign
@@ -75,13 +75,6 @@ class Setting:
     def letters(self) -> dict[str, Symbol]:
         """What each symbol of the formula stands for."""
         return {printed: Symbol(name) for printed, name in self.names.items()}
-
-    @cached_property
-    def meanings(self) -> dict[str, Any]:
-        """The same in SymPy, for what asks there."""
-        from omniproof.decide.in_sympy.domain import symbol_in
-
-        return {printed: symbol_in(self.domain, name) for printed, name in self.names.items()}
 
 
 def settle(node: tree.Node, assumptions: Assumptions) -> Setting:

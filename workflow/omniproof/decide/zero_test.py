@@ -131,7 +131,7 @@ class _Question:
             again = self.probes(SECOND_LOOK, HIGH)
             probe = next((probe for probe in again if probe.differs), None)
         if probe is None:
-            return Undecided("it is no identity, but no point shows a difference", ENGINE)
+            return Undecided("no point shows a difference, but no proof was found", ENGINE)
         return Refuted(ENGINE, probe.witness())
 
     def is_zero(self) -> bool:

@@ -12,21 +12,20 @@ counts as a column of numbers, one for each entry of its sides: 0 where it holds
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import cache, reduce
 from itertools import pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
-from sympy import Expr, MatrixBase, Symbol
 
-from omniproof.decide.balls import rational_ball
-from omniproof.decide.in_sympy.balls import compile_balls
-from omniproof.decide.in_sympy.domain import REALS, Domain
-from omniproof.decide.in_sympy.integrals import flattened
-from omniproof.decide.in_sympy.sampling import Sample, sample_points
+from omniproof.decide.balls import compile_balls, rational_ball
+from omniproof.decide.domain import REALS, Domain, Range
+from omniproof.decide.sampling import sample_points
 from omniproof.formula.functions import FUNCTIONS as TABLE
+from omniproof.formula.grid import Grid
+from omniproof.formula.term import Term, symbols
 from omniproof.transcription import tree
 
 Values: TypeAlias = NDArray[np.float64]
@@ -54,27 +53,25 @@ def agree(values: Values, target: Values) -> NDArray[np.bool_]:
     return np.asarray((near | ~known).all(axis=-1) & known.any())
 
 
-def at_points(value: Expr | MatrixBase, domain: Domain = REALS) -> Values:
-    """Evaluate an expression or a matrix at the points of its symbols, the same for equal names.
+def at_points(value: Term | Grid, domain: Domain = REALS) -> Values:
+    """Evaluate a term or a matrix at the points of its symbols, the same for equal names.
 
-    Raises `UnsupportedError` for a function that balls do not know, or an empty domain.
+    Raises `UnsupportedError` for what balls do not know, or an empty range.
     """
-    value = flattened(value)
-    symbols = tuple(sorted(value.free_symbols, key=str))
-    rows, columns = value.shape if isinstance(value, MatrixBase) else (1, 1)
-    program = compile_balls(list(value) if isinstance(value, MatrixBase) else [value], symbols)
-    drawn = [_coordinates(symbol, domain.interval(symbol.name)) for symbol in symbols]
+    grid = value if isinstance(value, Grid) else Grid(((value,),))
+    names = sorted(set().union(*map(symbols, grid.entries)))
+    program = compile_balls(grid.entries, names)
+    drawn = [_coordinates(name, domain.range(name)) for name in names]
     points = [[rational_ball(each[k]) for each in drawn] for k in range(POINTS)]
     found = [[_float(ball) for ball in program.run(point)] for point in points]
-    return np.array(found).reshape(POINTS, rows, columns)
+    return np.array(found).reshape(POINTS, *grid.shape)
 
 
 @cache
-def _coordinates(symbol: Symbol, ends: tuple[Any, Any]) -> tuple[Any, ...]:
+def _coordinates(name: str, ends: Range) -> tuple[Any, ...]:
     """Rational values of one symbol at all points, other than those of any other symbol."""
-    seed, domain = int.from_bytes(symbol.name.encode()) % 2**31, Domain({symbol.name: ends})
-    samples: Iterable[Sample] = sample_points([symbol], domain, count=POINTS, seed=seed)
-    return tuple(sample[symbol] for sample in samples)
+    seed, domain = int.from_bytes(name.encode()) % 2**31, Domain({name: ends})
+    return tuple(point[name] for point in sample_points([name], domain, count=POINTS, seed=seed))
 
 
 def _float(ball: Any) -> float:
