@@ -45,7 +45,6 @@ SEVENTH = sp.Rational(1, 7)
             MORRIE + sp.Rational(1, 10**90), "0.12", Rounding.TRUNCATED, "flint",
             id="beyond 60 digits: the first engine alone",
         ),
-        pytest.param(sp.sinh(sp.Integer(1)), "1.2", Rounding.ROUNDED, "flint", id="not enclosed"),
     ],
 )  # fmt: skip
 def test_who_decided_is_named(value, printed, rounding, engines):

@@ -10,13 +10,13 @@ from flint import arb, fmpq
 from omniproof.decide.balls import compile_balls, enclose
 from omniproof.formula.derivative import derivative
 from omniproof.formula.errors import UnsupportedError
-from omniproof.formula.functions import FUNCTIONS, Lacks, applied
+from omniproof.formula.functions import FUNCTIONS, Lacks
 from omniproof.formula.term import ONE, ZERO, Call, Symbol, Term, number
-from omniproof.formula.unfold import unfold
+from omniproof.formula.unfold import applied, unfold
 from omniproof.transcription.reader import read
 
 X, Y = Symbol("x"), Symbol("y")
-KNOWN = [row for row in FUNCTIONS.values() if not isinstance(row.derivatives, Lacks)]
+KNOWN = [row for row in FUNCTIONS.values() if not isinstance(row.derivative, Lacks)]
 PLACE = fmpq(2, 7)
 
 

@@ -114,9 +114,12 @@ class Printed:
         return self.apart(values, self.known[()][1])
 
     def apart(self, values: Values, others: Values) -> NDArray[np.bool_]:
-        """Return which entries differ, or lose their value, at one of the points."""
+        """Return which entries differ, or lose their value, at one of the points.
+
+        Of values of different shapes, all entries that are printed differ.
+        """
         if values.shape[-2:] != others.shape[-2:]:
-            return np.ones(self.target.shape[-2:], dtype=bool)
+            return np.ones(self.known[()][1].shape[-2:], dtype=bool)
         near = np.abs(values - others) <= TOLERANCE * (1 + np.abs(others))
         return np.asarray((np.isfinite(others) & ~near).any(axis=-3))
 
