@@ -36,8 +36,12 @@ def test_result_is_made(built, target):
     [
         pytest.param(
             "paper_data/omni-arrangement/paper.yaml",
-            {"Audit omni-arrangement", "Plant misprints"},
-            {"Prove what no paper prints", "Draw the figures of omni-arrangement"},
+            {
+                "Audit omni-arrangement",
+                "Draw the figures of omni-arrangement",
+                "Plant misprints",
+            },
+            {"Prove what no paper prints"},
             id="a claim",
         ),
         pytest.param(

@@ -53,7 +53,13 @@ def test_files(paper, results, tmp_path):
     ]
     assert (tmp_path / "figure-3.csv").read_text() == "x,y\n0,0.3\n1,0.333333333333\n"
     assert json.loads((tmp_path / "figures.json").read_text()) == [
-        {"number": 3, "title": "A line", "alt": "2 points", "caption": "Drawn from two points."}
+        {
+            "number": 3,
+            "title": "A line",
+            "alt": "2 points",
+            "caption": "Drawn from two points.",
+            "source": "",
+        }
     ]
     assert 'id="one-wheel-figure-3-' in (tmp_path / "figure-3.svg").read_text()
 

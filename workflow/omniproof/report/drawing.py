@@ -55,11 +55,13 @@ def write_drawings(drawings: Iterable[Drawing], name: str, folder: Path, results
 def source_of(drawing: Drawing) -> str:
     """Return file and line of the function that draws: `omniproof/papers/a/figures/b.py:7`.
 
-    Nothing for a drawing of the project itself, whose code has no page.
+    Nothing for a drawing that is none of a paper's or a topic's: its code has no page.
     """
     code = inspect.unwrap(drawing.draw).__code__
-    file = Path(code.co_filename).resolve().relative_to(PACKAGE.parent.resolve()).as_posix()
-    return f"{file}:{code.co_firstlineno}" if "/papers/" in file else ""
+    file, papers = Path(code.co_filename).resolve(), (PACKAGE / "papers").resolve()
+    if not file.is_relative_to(papers):
+        return ""
+    return f"omniproof/papers/{file.relative_to(papers).as_posix()}:{code.co_firstlineno}"
 
 
 def _write(drawing: Drawing, frame: pd.DataFrame, stem: Path, prefix: str) -> dict[str, int | str]:
