@@ -107,8 +107,8 @@ class CodeWriter(ABC):
         """Write a function of the table."""
 
     @abstractmethod
-    def library(self, name: str, *arguments: str) -> Code:
-        """Write what both libraries have under other names: `pi`, `degrees`, `cross`, …."""
+    def spelled(self, name: str, *arguments: str) -> Code:
+        """Write what NumPy and SymPy spell differently: `pi`, `degrees`, `cross`, …."""
 
     @abstractmethod
     def array_product(self, left: Code, right: Code) -> Code:
@@ -147,7 +147,7 @@ def _negative(writer: CodeWriter, node: tree.Negative, parts: tuple[Code, ...]) 
 def _power(writer: CodeWriter, node: tree.Power, parts: tuple[Code, ...]) -> Code:
     (base,), exponent = parts, node.exponent
     if base.rank:
-        found = writer.library("matrix_power", base.within(ATOM), str(exponent))
+        found = writer.spelled("matrix_power", base.within(ATOM), str(exponent))
         return replace(found, rank=base.rank)
     if exponent < 0:
         inverse = _power(writer, replace(node, exponent=-exponent), parts)
@@ -159,7 +159,7 @@ def _power(writer: CodeWriter, node: tree.Power, parts: tuple[Code, ...]) -> Cod
 
 def _call(writer: CodeWriter, node: tree.Call, parts: tuple[Code, ...]) -> Code:
     if node.function == "det":
-        return writer.library("determinant", parts[0].within(ATOM))
+        return writer.spelled("determinant", parts[0].within(ATOM))
     if FUNCTIONS[node.function].arguments == 1:
         return writer.call(node.function, parts[0])
     return reduce(lambda a, b: writer.call(node.function, a, b), parts[0].items)
@@ -174,7 +174,7 @@ def _vectors(name: str) -> Callable[..., Code]:
             return writer.times(left, right)
         if name == "cross" and 2 in (len(left.items), len(right.items)):
             raise UnsupportedError("no code is written of a cross product of vectors in the plane")
-        found = writer.library(name, left.within(ATOM), right.within(ATOM))
+        found = writer.spelled(name, left.within(ATOM), right.within(ATOM))
         return replace(found, rank=COLUMN if name == "cross" else NUMBER)
 
     return rule
@@ -189,7 +189,7 @@ def _transpose(writer: CodeWriter, node: tree.Transpose, parts: tuple[Code, ...]
 
 def _norm(writer: CodeWriter, node: tree.Norm, parts: tuple[Code, ...]) -> Code:
     if parts[0].rank:
-        return writer.library("norm", parts[0].within(ATOM))
+        return writer.spelled("norm", parts[0].within(ATOM))
     return writer.call("abs", parts[0])
 
 
@@ -213,12 +213,12 @@ def _matrix(writer: CodeWriter, node: tree.MatrixLiteral, parts: tuple[Code, ...
 
 def _chain(writer: CodeWriter, node: tree.Chain, parts: tuple[Code, ...]) -> Code:
     name = "equal" if node.relation == "=" else "equivalent"
-    pairs = [writer.library(name, a.text, b.text) for a, b in pairwise(parts)]
-    return reduce(lambda a, b: writer.library("and", a.text, b.text), pairs)
+    pairs = [writer.spelled(name, a.text, b.text) for a, b in pairwise(parts)]
+    return reduce(lambda a, b: writer.spelled("and", a.text, b.text), pairs)
 
 
 def _logic(writer: CodeWriter, node: tree.Logic, parts: tuple[Code, ...]) -> Code:
-    return reduce(lambda a, b: writer.library(node.operator, a.text, b.text), parts)
+    return reduce(lambda a, b: writer.spelled(node.operator, a.text, b.text), parts)
 
 
 def _applied(writer: CodeWriter, node: tree.Applied, parts: tuple[Code, ...]) -> Code:
@@ -229,10 +229,10 @@ def _applied(writer: CodeWriter, node: tree.Applied, parts: tuple[Code, ...]) ->
 Rule: TypeAlias = Callable[[CodeWriter, Any, tuple[Code, ...]], Code]
 _RULES: dict[type[tree.Node], Rule] = {
     tree.Number: lambda writer, node, parts: writer.number(node.text),
-    tree.Degrees: lambda writer, node, parts: writer.library(
+    tree.Degrees: lambda writer, node, parts: writer.spelled(
         "degrees", writer.number(node.value).text
     ),
-    tree.Pi: lambda writer, node, parts: writer.library("pi"),
+    tree.Pi: lambda writer, node, parts: writer.spelled("pi"),
     tree.Name: lambda writer, node, parts: Code(
         writer.named(node.name), rank=writer.ranks.get(node.name, NUMBER)
     ),
@@ -250,7 +250,7 @@ _RULES: dict[type[tree.Node], Rule] = {
     tree.Integral: lambda writer, node, parts: writer.integral(*parts),
     tree.Norm: _norm,
     tree.Absolute: lambda writer, node, parts: writer.call("abs", *parts),
-    tree.Determinant: lambda writer, node, parts: writer.library(
+    tree.Determinant: lambda writer, node, parts: writer.spelled(
         "determinant", writer.columns(parts).text
     ),
     tree.Component: _component,
@@ -260,7 +260,7 @@ _RULES: dict[type[tree.Node], Rule] = {
     tree.Cases: lambda writer, node, parts: writer.cases(
         [(part.items[0], part.items[1]) for part in parts]
     ),
-    tree.Comparison: lambda writer, node, parts: writer.library(
+    tree.Comparison: lambda writer, node, parts: writer.spelled(
         COMPARE[node.operator], parts[0].text, parts[1].text
     ),
     tree.Logic: _logic,

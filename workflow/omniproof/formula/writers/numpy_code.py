@@ -49,7 +49,7 @@ class _NumPy(CodeWriter):
     def call(self, function: str, *arguments: Code) -> Code:
         return Code(FUNCTIONS[function].numpy.format(*(each.text for each in arguments)))
 
-    def library(self, name: str, *arguments: str) -> Code:
+    def spelled(self, name: str, *arguments: str) -> Code:
         if name == "inner":
             return Code(f"{arguments[0]} @ {arguments[1]}", PRODUCT)
         return Code(LIBRARY[name].format(*arguments))

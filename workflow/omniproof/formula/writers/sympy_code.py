@@ -48,9 +48,9 @@ class _SymPy(CodeWriter):
         return super().over(above, below)
 
     def call(self, function: str, *arguments: Code) -> Code:
-        return self.library(f"sp.{FUNCTIONS[function].sympy}", *(each.text for each in arguments))
+        return self.spelled(f"sp.{FUNCTIONS[function].sympy}", *(each.text for each in arguments))
 
-    def library(self, name: str, *arguments: str) -> Code:
+    def spelled(self, name: str, *arguments: str) -> Code:
         if name == "matrix_power":
             return Code(f"{arguments[0]}**{arguments[1]}", POWER)
         return Code(LIBRARY.get(name, f"{name}({', '.join(arguments)})").format(*arguments))
