@@ -156,6 +156,12 @@ def test_rows(name: str, fields: dict[str, str], rows: dict[str, Row]) -> None:
         pytest.param("app:A/lever", "against", ("sec:2/lever",), id="where the lever is stated"),
         pytest.param("sec:2/lever", "against", ("app:A/lever",), id="where another one is used"),
         pytest.param("fig:1/shape", "uncheckable", Uncheckable.FIGURE_NOT_SEEN, id="class"),
+        pytest.param("eq:A.1", "convention", "the lever is L", id="the reading that saves it"),
+        pytest.param("eq:A.3", "convention", "the lever is 1", id="the stated reading"),
+        pytest.param("eq:A.4", "convention", "the lever is L", id="what most formulas need"),
+        pytest.param("eq:A.5", "convention", "the lever is 1", id="mended as stated"),
+        pytest.param("eq:A.6", "convention", "the lever is 1", id="it does not matter"),
+        pytest.param("eq:1", "convention", "", id="none"),
     ],
 )  # fmt: skip
 def test_records(name: str, field: str, record: object, rows: dict[str, Row]) -> None:

@@ -18,7 +18,7 @@ from pydantic import BaseModel, ConfigDict
 from omniproof.audit.evidence import Counterexample, Interval, Rival
 from omniproof.transcription.model import Kind, Reading, Source, Uncheckable
 
-RECORDS = ("rivals", "uncheckable", "argument", "against")
+RECORDS = ("rivals", "uncheckable", "argument", "against", "convention")
 """Fields of a row that have no column of their own."""
 MOST_SHOWN = 2
 """Other edits that a remark shows: a reader compares no more."""
@@ -73,7 +73,7 @@ class Row(BaseModel):
 
     The others are for programs: `rivals` of the correction, in the CSV a sentence of the note; of
     an `uncheckable` row the class, and the `argument` for what was reconstructed; the claims that
-    an inconsistent row is `against`.
+    an inconsistent row is `against`; the reading of its `convention` that a row was judged under.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -101,6 +101,7 @@ class Row(BaseModel):
     uncheckable: Uncheckable | None = None
     argument: str = ""
     against: tuple[str, ...] = ()
+    convention: str = ""
 
     @property
     def remark(self) -> str:

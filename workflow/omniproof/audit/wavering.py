@@ -63,12 +63,15 @@ def under(option: str, claim: Claim, context: Context) -> Context:
 
 def judge_alone(claim: Claim, context: Context) -> list[Row]:
     """Judge a printed formula under its own reading, and say which it is where that matters."""
-    rows = judge_identity(claim, context)
-    chosen = context.choices.get(claim.id)
-    if chosen is None or any(row.verdict is not Verdict.VERIFIED for row in rows):
-        return rows
     convention = _depends(claim, context)
+    if not convention:
+        return judge_identity(claim, context)
     stated = context.registry.conventions[convention].stated
+    chosen = context.choices.get(claim.id, stated)
+    rows = _judge_under(chosen, claim, context)
+    matters = claim.id in context.choices
+    if not matters or any(row.verdict is not Verdict.VERIFIED for row in rows):
+        return rows
     told = f"right where {chosen}"
     if chosen == stated:
         return [with_note(row, told) for row in rows]
@@ -76,9 +79,14 @@ def judge_alone(claim: Claim, context: Context) -> list[Row]:
         told = f"{told}, against {where(result)}"
         rows = [
             row.model_copy(update={"verdict": Verdict.INCONSISTENT})
-            for row in judge_identity(claim, under(stated, claim, context))
+            for row in _judge_under(stated, claim, context)
         ]
     return [with_note(row.model_copy(update={"follows": convention}), told) for row in rows]
+
+
+def _judge_under(reading: str, claim: Claim, context: Context) -> list[Row]:
+    rows = judge_identity(claim, under(reading, claim, context))
+    return [row.model_copy(update={"convention": reading}) for row in rows]
 
 
 def _contradicted(claim: Claim, context: Context) -> str:

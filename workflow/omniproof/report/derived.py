@@ -13,10 +13,10 @@ from typing import Any
 from sympy import MatrixBase, sstr
 
 import omniproof
-from omniproof.audit.ledger import Ledger, Row, Verdict
+from omniproof.audit.ledger import Ledger
 from omniproof.corrected.formula import derived_form
 from omniproof.registry import Registry, load_registry
-from omniproof.transcription.ids import base, index, whole
+from omniproof.transcription.ids import base, index
 
 LONGEST = 1500
 """Characters of SymPy text; a longer one would make the page heavy, and is read from the code."""
@@ -32,14 +32,14 @@ class Derived:
             self.registry = load_registry(ledger.paper)
         except ModuleNotFoundError:
             self.registry = Registry(ledger.paper)
-        self._rows = {base(row.id): row for row in ledger.rows}
+        self._readings = {base(row.id): row.convention for row in ledger.rows}
         self._forms: dict[str, Any] = {}
 
     def sympy(self, claim_id: str) -> str:
         """Return what is derived for a claim, or an entry of it, as SymPy writes it, or nothing."""
         name = self._bound(claim_id)
         if name not in self._forms:
-            self._forms[name] = derived_form(self.registry, name, self.reading(name))
+            self._forms[name] = derived_form(self.registry, name, self._readings.get(name, ""))
         form = self._forms[name]
         if isinstance(form, MatrixBase):
             form = _entry(form, index(claim_id)) if name != claim_id else form
@@ -58,27 +58,6 @@ class Derived:
     def _bound(self, claim_id: str) -> str:
         """Return the id that has a derivation: the claim's own, or that of its matrix."""
         return claim_id if claim_id in self.registry.derivations else base(claim_id)
-
-    def reading(self, name: str) -> str:
-        """Return the reading of the convention that a claim was judged under, if it is on one."""
-        derivation = self.registry.derivations.get(name)
-        if derivation is None or not derivation.convention:
-            return ""
-        convention, row = self.registry.conventions[derivation.convention], self._rows[name]
-        votes = [row] if row.verdict is not Verdict.ERRATUM else self._neighbours(name)
-        by_another = [each for each in votes if _is_by_another(each, derivation.convention)]
-        return convention.others[0] if 2 * len(by_another) > len(votes) else convention.stated
-
-    def _neighbours(self, name: str) -> list[Row]:
-        """Return the rows of a misprint's display that depend on its convention."""
-        convention = self.registry.derivations[name].convention
-        bound = (c for c, d in self.registry.derivations.items() if d.convention == convention)
-        return [self._rows[c] for c in bound if c in self._rows and whole(c) == whole(name)]
-
-
-def _is_by_another(row: Row, convention: str) -> bool:
-    """Whether a row is right under another reading than the stated one."""
-    return row.verdict is Verdict.VERIFIED and row.follows == convention
 
 
 def _entry(matrix: MatrixBase, place: tuple[str, ...]) -> Any:

@@ -7,7 +7,8 @@ from pathlib import Path
 import omniproof
 from omniproof.audit.context import Context
 from omniproof.audit.ledger import Ledger
-from omniproof.report.derived import Derived
+from omniproof.registry import load_registry
+from omniproof.transcription.ids import base
 from omniproof.transcription.loader import FILE, load_paper
 
 CHECKOUT = Path(omniproof.__file__).parents[2]
@@ -27,6 +28,6 @@ def paper_folder(paper: str) -> Path:
 
 def paper_context(ledger: Ledger) -> Context:
     """Load a paper with the readings of its conventions that its ledger was judged under."""
-    derived = Derived(ledger)
-    choices = {row.id: reading for row in ledger.rows if (reading := derived.reading(row.id))}
-    return Context(load_paper(paper_folder(ledger.paper)), derived.registry, {}, choices)
+    choices = {base(row.id): row.convention for row in ledger.rows if row.convention}
+    registry = load_registry(ledger.paper)
+    return Context(load_paper(paper_folder(ledger.paper)), registry, {}, choices)

@@ -20,7 +20,7 @@ from omniproof.formula.writers.code import (
 )
 from omniproof.transcription.functions import FUNCTIONS
 
-LIBRARY = {
+SPELLED = {
     "pi": "np.pi", "degrees": "np.radians({0})", "cross": "np.cross({0}, {1})",
     "norm": "np.linalg.norm({0})", "determinant": "np.linalg.det({0})",
     "matrix_power": "np.linalg.matrix_power({0}, {1})", "and": "np.logical_and({0}, {1})",
@@ -52,7 +52,7 @@ class _NumPy(CodeWriter):
     def spelled(self, name: str, *arguments: str) -> Code:
         if name == "inner":
             return Code(f"{arguments[0]} @ {arguments[1]}", PRODUCT)
-        return Code(LIBRARY[name].format(*arguments))
+        return Code(SPELLED[name].format(*arguments))
 
     def array_product(self, left: Code, right: Code) -> Code:
         ranks = left.rank, right.rank

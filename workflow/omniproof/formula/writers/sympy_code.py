@@ -18,7 +18,7 @@ from omniproof.formula.writers.code import (
 )
 from omniproof.transcription.functions import FUNCTIONS
 
-LIBRARY = {
+SPELLED = {
     "pi": "sp.pi", "degrees": "sp.rad({0})", "cross": "{0}.cross({1})", "inner": "{0}.dot({1})",
     "norm": "{0}.norm()", "determinant": "{0}.det()", "and": "sp.And({0}, {1})",
     "or": "sp.Or({0}, {1})", "equal": "sp.Eq({0}, {1})", "equivalent": "sp.Equivalent({0}, {1})",
@@ -53,7 +53,7 @@ class _SymPy(CodeWriter):
     def spelled(self, name: str, *arguments: str) -> Code:
         if name == "matrix_power":
             return Code(f"{arguments[0]}**{arguments[1]}", POWER)
-        return Code(LIBRARY.get(name, f"{name}({', '.join(arguments)})").format(*arguments))
+        return Code(SPELLED.get(name, f"{name}({', '.join(arguments)})").format(*arguments))
 
     def array_product(self, left: Code, right: Code) -> Code:
         rank = JOINED.get((left.rank, right.rank), MATRIX)
